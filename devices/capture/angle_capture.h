@@ -1,0 +1,56 @@
+// Runs a plan on a bench in a thread of its own: samples go to the session's sink and, as frozen blocks, into a bounded
+// queue.
+#pragma once
+
+#include "core/session/sample_sink.h"
+#include "devices/capture/angle_plan.h"
+#include "devices/instruments/angle_instruments.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace straightedge::devices {
+
+enum class CaptureState : std::uint8_t { Idle, Running, Paused, Finished, Stopped, Failed };
+
+/// A snapshot for progress displays; cheap to copy.
+struct CaptureProgress {
+  CaptureState state = CaptureState::Idle;
+  int pointsDone = 0;
+  int pointsPlanned = 0;
+  std::int64_t samples = 0;
+  std::int64_t samplesLost = 0; ///< dropped from the live display only; the sink has them all
+  double elapsedS = 0.0;
+  std::optional<double> remainingS; ///< known after the first points
+  std::optional<Error> error;       ///< state Failed or Paused by a fault
+};
+
+/// Owns the capture thread. All members may be called from one controlling thread (the GUI's or main's).
+/// The bench and the sink must outlive the capture.
+class AngleCapture {
+public:
+  AngleCapture(AngleBench bench, session::SampleSink& sink);
+  ~AngleCapture(); ///< stops and joins
+  AngleCapture(const AngleCapture&) = delete;
+  AngleCapture& operator=(const AngleCapture&) = delete;
+
+  /// Starts from the first point, or goes on after `already` samples of the same plan (resume after a crash or stop).
+  Result<void> start(const AnglePlan& plan, const std::vector<session::AngleSample>& already = {});
+  void pause();
+  void resume();
+  void stop();               ///< ends the sweep after the current reading; committed samples stay
+  void redo(int pointIndex); ///< measure this planned point again, as a further attempt
+  void waitUntilDone();      ///< blocks; for the command line and tests
+
+  CaptureProgress progress() const;
+  /// Moves out every sample that arrived since the last call. Called once per frame by the GUI.
+  std::vector<session::AngleSample> takeNewSamples();
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> m_impl;
+};
+
+} // namespace straightedge::devices

@@ -1,0 +1,1 @@
+#include "devices/capture/angle_plan.h"

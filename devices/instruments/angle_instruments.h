@@ -1,0 +1,72 @@
+// Small interfaces that an angle bench is made of. Real instruments and the simulated bench implement the same ones.
+#pragma once
+
+#include "core/base/error.h"
+
+#include <optional>
+#include <string>
+
+namespace straightedge::devices {
+
+/// A value and when it was taken, in seconds on the bench's monotonic clock.
+struct TimedReading {
+  double value = 0.0;
+  double timeS = 0.0;
+};
+
+struct InstrumentIdentity {
+  std::string model;
+  std::string serial;
+  std::string firmware;
+};
+
+/// The device under calibration. Thread: the capture thread only.
+class AngleSensor {
+public:
+  virtual ~AngleSensor() = default;
+  virtual InstrumentIdentity identity() const = 0;
+  virtual Result<TimedReading> readDeg() = 0; ///< [0, 360)
+};
+
+/// The reference encoder. Thread: the capture thread only.
+class AngleReference {
+public:
+  virtual ~AngleReference() = default;
+  virtual InstrumentIdentity identity() const = 0;
+  virtual Result<TimedReading> readDeg() = 0; ///< unwrapped: exceeds 360 over several turns
+};
+
+/// Turns the shaft. Absent on a bench that is turned by hand. Thread: the capture thread only.
+class RotaryStage {
+public:
+  virtual ~RotaryStage() = default;
+  virtual InstrumentIdentity identity() const = 0;
+  virtual Result<void> moveToDeg(double angleDeg) = 0; ///< unwrapped; returns when the stage says it is there
+};
+
+/// Ambient temperature. Optional. Thread: the capture thread only.
+class Thermometer {
+public:
+  virtual ~Thermometer() = default;
+  virtual Result<TimedReading> readC() = 0;
+};
+
+/// The bench's clock, so that a simulated bench can run faster than real time.
+class BenchClock {
+public:
+  virtual ~BenchClock() = default;
+  virtual double nowS() const = 0;
+  virtual void sleepS(double seconds) = 0;
+};
+
+/// Roles filled by instruments; the owner of the pointers outlives the bench.
+struct AngleBench {
+  std::string name;
+  AngleSensor* sensor = nullptr;
+  AngleReference* reference = nullptr;
+  RotaryStage* stage = nullptr;       ///< optional
+  Thermometer* thermometer = nullptr; ///< optional
+  BenchClock* clock = nullptr;
+};
+
+} // namespace straightedge::devices
