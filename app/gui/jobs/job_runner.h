@@ -8,14 +8,19 @@
 #include <QObject>
 #include <QString>
 
+#include <cstdint>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace straightedge::gui {
 
-/// GUI thread owns it. `key` names what the job computes: starting a job cancels the one of the same key that still
-/// runs, and its result is dropped. The window shows running jobs with progress and a cancel button.
+/// GUI thread owns it and calls it; only `work` runs elsewhere. A cancelled job's `done` is never called. `key` names
+/// what the job computes: starting a job cancels the one of the same key that still runs, and its result is dropped.
+/// The window shows running jobs with progress and a cancel button.
 class JobRunner : public QObject {
   Q_OBJECT
 public:
@@ -27,7 +32,15 @@ public:
            std::function<void(Result<T>)> done) {
     auto result = std::make_shared<std::optional<Result<T>>>();
     start(
-        key, title, [work = std::move(work), result](const JobControl& control) { result->emplace(work(control)); },
+        key, title,
+        [work = std::move(work), result](const JobControl& control) {
+          try {
+            result->emplace(work(control));
+          } catch (const std::exception& problem) { // e.g. out of memory: must not end the program from a pool thread
+            result->emplace(fail(ErrorKind::Input, std::string("the computation failed: ") + problem.what(),
+                                 "try again with less data"));
+          }
+        },
         [done = std::move(done), result] { done(std::move(**result)); });
   }
   void cancel(const QString& key);
@@ -44,6 +57,9 @@ signals:
 private:
   void start(const QString& key, const QString& title, std::function<void(const JobControl&)> work,
              std::function<void()> deliver);
+  bool cancelQuietly(const QString& key); ///< without idle(); true where such a job ran
+  void showProgress(const QString& key, std::uint64_t id, double fraction);
+  void finish(const QString& key, std::uint64_t id, const std::function<void()>& deliver);
   struct Impl;
   std::unique_ptr<Impl> m_impl;
 };

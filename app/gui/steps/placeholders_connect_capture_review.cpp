@@ -1,0 +1,9 @@
+#include "app/gui/steps/placeholder_step.h"
+
+namespace straightedge::gui {
+
+StepPage* makeConnectStep(StepContext, QWidget* parent) { return new PlaceholderStep("Connect", "connect", parent); }
+StepPage* makeCaptureStep(StepContext, QWidget* parent) { return new PlaceholderStep("Capture", "capture", parent); }
+StepPage* makeReviewStep(StepContext, QWidget* parent) { return new PlaceholderStep("Review", "review", parent); }
+
+} // namespace straightedge::gui
