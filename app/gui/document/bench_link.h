@@ -10,11 +10,18 @@
 #include <QString>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace straightedge::gui {
 
 class AngleDocument;
+
+/// One role of the connected bench and who fills it.
+struct BenchInstrument {
+  QString role; ///< "Sensor under calibration", "Reference encoder", "Stage"
+  devices::InstrumentIdentity identity;
+};
 
 /// GUI thread. Talks to instruments only through the capture thread (or a job while idle); empties the queue once per
 /// frame.
@@ -27,19 +34,30 @@ public:
   bool isConnected() const;
   QString benchName() const; ///< "Simulated bench", …
   QString describe() const;  ///< instruments with model and serial, one per line
+  std::vector<BenchInstrument> instruments() const;
   Result<void> connectSimulated(const devices::SimulatedAngleSettings& settings);
-  void disconnectBench();
+  /// Any other bench; `owner` keeps its instruments alive while connected. Errors (Usage): a role that must be filled
+  /// is empty; a capture is running.
+  Result<void> connectBench(devices::AngleBench bench, std::shared_ptr<void> owner);
+  void disconnectBench(); ///< stops a running capture first; what was captured stays
   const devices::SimulatedAngleSettings& simulatedSettings() const;
 
   /// Live reading while connected and not capturing, about 20 times a second.
   void setLiveReading(bool on);
+  bool canMoveShaft() const;           ///< connected, idle, and the bench has a stage
+  void moveShaftTo(double encoderDeg); ///< while idle; returns at once, the live reading follows
 
   /// Starts capturing into the document's session. `resume` goes on with the plan after the committed samples.
   Result<void> startCapture(const devices::AnglePlan& plan, session::SweepRole role, bool resume);
   void pauseCapture();
   void resumeCapture();
   void stopCapture();
-  void redoPoint(int pointIndex);
+  void stopAndWait(); ///< before the session closes: ends the capture, commits, and returns when both are done
+  /// The plan of a sweep in the session that was begun and not carried out to the end; empty while capturing.
+  std::optional<devices::AnglePlan> interruptedPlan(session::SweepRole role) const;
+  /// The plan of the running or last capture.
+  const devices::AnglePlan& capturePlan() const;
+  void redoPoint(int pointIndex); ///< while capturing, or afterwards: measures one planned point again
   bool isCapturing() const;
   devices::CaptureProgress progress() const;
   const std::vector<session::AngleSample>& liveSamples() const; ///< of the running or last capture
@@ -53,6 +71,13 @@ signals:
   void failed(const QString& message);
 
 private:
+  Result<void> beginCapture(const devices::AnglePlan& plan, session::SweepRole role, bool resume,
+                            std::optional<int> redo);
+  void endCapture();
+  void onFrame();
+  void onDocumentOpened();
+  void updateLiveReading();
+
   struct Impl;
   std::unique_ptr<Impl> m_impl;
 };
