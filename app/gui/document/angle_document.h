@@ -42,12 +42,17 @@ public:
   ~AngleDocument() override;
 
   // Life
-  Result<void> createScratch(); ///< a new, unnamed session
-  Result<void> open(const QString& file);
+  Result<void> createScratch();           ///< a new, unnamed session
+  Result<void> open(const QString& file); ///< a file of the scratch folder is recovered: it stays unnamed
   Result<void> saveAs(const QString& file);
-  Result<void> close(); ///< commits and checkpoints
+  /// Commits and checkpoints. A scratch file with content stays and can be opened again ("keep for later"); an empty
+  /// one is removed. Where something cannot be written the document stays open.
+  Result<void> close();
+  Result<void> discard(); ///< closes without writing what is pending; a scratch file is removed
   bool isOpen() const;
   bool isScratch() const;       ///< not saved under a name yet
+  bool hasContent() const;      ///< samples, an imported sweep, or anything chosen or undone
+  bool isReadOnly() const;      ///< on read-only media: changes last only until saved elsewhere
   bool hasUnsavedState() const; ///< scratch with content, or a write still pending or failed
   QString file() const;
   QString displayName() const; ///< "Untitled" or the file's base name
@@ -81,7 +86,7 @@ public:
   QUndoStack& undoStack();
 
 signals:
-  void opened();
+  void opened(); ///< another calibration, or none: read everything anew
   void titleChanged();
   void sweepChanged();
   void choicesChanged();
@@ -91,7 +96,7 @@ signals:
   void comparisonChanged();
   void verificationSweepChanged();
   void verificationChanged();
-  void storageFailed(const QString& message);
+  void storageFailed(const QString& message); ///< shown by the window; the document goes on
 
 private:
   struct Impl;

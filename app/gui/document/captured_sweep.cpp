@@ -1,6 +1,7 @@
 #include "app/gui/document/captured_sweep.h"
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_map>
 
 namespace straightedge::gui {
@@ -13,11 +14,13 @@ angle::Sweep capturedSweep(const std::vector<session::AngleSample>& samples) {
     attempt = std::max(attempt, sample.attempt);
     warm = warm && sample.temperatureC.has_value();
   }
+  std::vector<session::AngleSample> counted;
+  std::copy_if(samples.begin(), samples.end(), std::back_inserter(counted),
+               [&](const session::AngleSample& sample) { return sample.attempt == latest[sample.point]; });
+  // A point that was measured again arrives last but keeps its place, so that the review's rows stay what they were.
+  std::stable_sort(counted.begin(), counted.end(), [](const auto& a, const auto& b) { return a.point < b.point; });
   angle::Sweep sweep;
-  for (const session::AngleSample& sample : samples) {
-    if (sample.attempt != latest[sample.point]) {
-      continue;
-    }
+  for (const session::AngleSample& sample : counted) {
     sweep.encoderDeg.push_back(sample.encoderDeg);
     sweep.sensorDeg.push_back(sample.sensorDeg);
     sweep.turn.push_back(sample.turn);

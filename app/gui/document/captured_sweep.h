@@ -8,7 +8,8 @@
 
 namespace straightedge::gui {
 
-/// One row per sample, in order of arrival; of a point that was measured again only the latest attempt.
+/// One row per sample, in the plan's order of points, then of arrival; of a point that was measured again only the
+/// latest attempt.
 angle::Sweep capturedSweep(const std::vector<session::AngleSample>& samples);
 
 } // namespace straightedge::gui

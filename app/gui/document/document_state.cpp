@@ -1,0 +1,184 @@
+#include "app/gui/document/angle_document_state.h"
+#include "app/gui/document/captured_sweep.h"
+#include "app/gui/document/document_json.h"
+
+#include <QFileInfo>
+
+#include <utility>
+
+namespace straightedge::gui {
+
+namespace {
+QString sentence(const Error& error) { return QString::fromStdString(error.message()); }
+} // namespace
+
+void AngleDocument::Impl::reset() {
+  undo.clear();
+  calibration = {};
+  verification = std::make_shared<const angle::Sweep>();
+  choices = {};
+  traceability = {};
+  plan = {};
+  file.clear();
+  scratchLock.reset();
+  recompute.clear();
+  emit document.opened();
+  emit document.titleChanged();
+}
+
+void AngleDocument::Impl::adopt(std::unique_ptr<session::Session> session, const QString& name,
+                                std::unique_ptr<QLockFile> lock) {
+  undo.clear();
+  recompute.clear();
+  file = name;
+  scratchLock = std::move(lock);
+  binding.attach(std::move(session));
+  const QStringList problems = load(*binding.session());
+  updateRecompute();
+  emit document.opened();
+  emit document.titleChanged();
+  if (!problems.isEmpty()) {
+    emit document.storageFailed(problems.join('\n'));
+  }
+}
+
+QStringList AngleDocument::Impl::load(session::Session& session) {
+  QStringList problems;
+  const auto read = [&](const char* name, auto parse, auto take) {
+    const auto text = session.document(name);
+    if (!text) {
+      problems.append(sentence(text.error()));
+    } else if (!text->empty()) {
+      if (auto value = parse(*text)) {
+        take(std::move(*value));
+      } else {
+        problems.append(sentence(value.error()));
+      }
+    }
+  };
+  choices = {};
+  plan = {};
+  traceability = {};
+  verification = std::make_shared<const angle::Sweep>();
+  read(
+      choicesDocument, [](const std::string& text) { return choicesFromJson(text); },
+      [&](AngleChoices value) { choices = std::move(value); });
+  read(
+      planDocument, [](const std::string& text) { return devices::planFromJson(text); },
+      [&](devices::AnglePlan value) { plan = value; });
+  if (auto known = session.traceability()) {
+    traceability = std::move(*known);
+  } else {
+    problems.append(sentence(known.error()));
+  }
+  calibration = sweepOf(session, problems);
+  read(
+      reviewDocument, [](const std::string& text) { return reviewFromJson(text); },
+      [&](const std::vector<std::size_t>& rows) {
+        auto reviewed = std::make_shared<angle::Sweep>(*calibration.sweep);
+        for (const std::size_t row : rows) {
+          if (row < reviewed->size()) {
+            reviewed->enabled.resize(reviewed->size(), true);
+            reviewed->enabled[row] = false;
+          }
+        }
+        calibration.sweep = std::move(reviewed);
+      });
+  bool imported = false;
+  read(
+      verificationSweepDocument, [](const std::string& text) { return sweepFromJson(text); },
+      [&](angle::Sweep value) {
+        imported = true;
+        verification = std::make_shared<const angle::Sweep>(std::move(value));
+      });
+  if (!imported) {
+    if (const auto samples = session.angleSamples(session::SweepRole::Verification); samples && !samples->empty()) {
+      verification = std::make_shared<const angle::Sweep>(capturedSweep(*samples));
+    }
+  }
+  return problems;
+}
+
+SweepState AngleDocument::Impl::sweepOf(session::Session& session, QStringList& problems) const {
+  const auto imported = session.document(importedSweepDocument);
+  if (imported && !imported->empty()) {
+    if (auto sweep = sweepFromJson(*imported)) {
+      return {std::make_shared<const angle::Sweep>(std::move(*sweep)), SweepOrigin::Imported};
+    } else {
+      problems.append(sentence(sweep.error()));
+    }
+  } else if (!imported) {
+    problems.append(sentence(imported.error()));
+  }
+  const auto samples = session.angleSamples(session::SweepRole::Calibration);
+  if (!samples) {
+    problems.append(sentence(samples.error()));
+    return {};
+  }
+  if (samples->empty()) {
+    return {};
+  }
+  return {std::make_shared<const angle::Sweep>(capturedSweep(*samples)), SweepOrigin::Captured};
+}
+
+bool AngleDocument::Impl::choicesAreDefault() const { return choices == AngleChoices{}; }
+
+void AngleDocument::Impl::updateRecompute() {
+  recompute.setInputs({calibration.sweep, verification, choices, traceability});
+}
+
+void AngleDocument::Impl::scheduleReview() {
+  binding.schedule(reviewDocument, [sweep = calibration.sweep](session::Session& session) {
+    return session.setDocument(reviewDocument, reviewToJson(*sweep));
+  });
+}
+
+void AngleDocument::Impl::scheduleVerificationSweep() {
+  binding.schedule(verificationSweepDocument, [sweep = verification](session::Session& session) {
+    return session.setDocument(verificationSweepDocument, sweep->size() == 0 ? "" : sweepToJson(*sweep));
+  });
+}
+
+void AngleDocument::Impl::applySweep(const SweepState& state) {
+  calibration = state;
+  binding.schedule(importedSweepDocument, [state](session::Session& session) {
+    return session.setDocument(importedSweepDocument,
+                               state.origin == SweepOrigin::Imported ? sweepToJson(*state.sweep) : std::string());
+  });
+  scheduleReview();
+  updateRecompute();
+  emit document.sweepChanged();
+}
+
+void AngleDocument::Impl::applyEnabled(const std::shared_ptr<const angle::Sweep>& sweep) {
+  calibration.sweep = sweep;
+  scheduleReview();
+  updateRecompute();
+  emit document.sweepChanged();
+}
+
+void AngleDocument::Impl::applyChoices(const AngleChoices& value) {
+  choices = value;
+  binding.schedule(choicesDocument, [value](session::Session& session) {
+    return session.setDocument(choicesDocument, choicesToJson(value));
+  });
+  updateRecompute();
+  emit document.choicesChanged();
+}
+
+void AngleDocument::Impl::applyTraceability(const Traceability& value) {
+  traceability = value;
+  binding.schedule("traceability", [value](session::Session& session) { return session.setTraceability(value); });
+  updateRecompute();
+  emit document.traceabilityChanged();
+}
+
+void AngleDocument::Impl::applyPlan(const devices::AnglePlan& value) {
+  plan = value;
+  binding.schedule(planDocument, [value](session::Session& session) {
+    return session.setDocument(planDocument, devices::planToJson(value));
+  });
+  emit document.planChanged();
+}
+
+} // namespace straightedge::gui
