@@ -24,6 +24,13 @@ QString identityLine(const BenchInstrument& instrument) {
   return line;
 }
 
+/// The session has all samples; the live display may have lost some to a full queue.
+std::vector<session::AngleSample> committedSamples(AngleDocument& document, session::SweepRole role,
+                                                   const std::vector<session::AngleSample>& live) {
+  const session::Session* session = document.session();
+  return session == nullptr ? live : session->angleSamples(role).value_or(live);
+}
+
 bool isActive(devices::CaptureState state) {
   return state == devices::CaptureState::Running || state == devices::CaptureState::Paused;
 }
@@ -317,7 +324,7 @@ void BenchLink::endCapture() {
   if (role == session::SweepRole::Calibration) {
     m_impl->document.reloadSweepFromSession();
   } else {
-    m_impl->document.setVerificationSweep(capturedSweep(m_impl->live));
+    m_impl->document.setVerificationSweep(capturedSweep(committedSamples(m_impl->document, role, m_impl->live)));
   }
   updateLiveReading();
   emit captureEnded(role);
