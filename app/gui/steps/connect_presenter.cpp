@@ -68,8 +68,9 @@ QString ConnectPresenter::statusText() const {
   if (!connected()) {
     return tr("No bench is connected. Choose its settings and connect it.");
   }
-  return m_bench.isCapturing() ? tr("%1 is capturing; its settings are locked until the sweep ends.").arg(m_bench.benchName())
-                               : tr("%1 is connected.").arg(m_bench.benchName());
+  return m_bench.isCapturing()
+             ? tr("%1 is capturing; its settings are locked until the sweep ends.").arg(m_bench.benchName())
+             : tr("%1 is connected.").arg(m_bench.benchName());
 }
 
 QString ConnectPresenter::problem() const { return m_problem; }
@@ -169,8 +170,10 @@ QString ConnectPresenter::traceabilitySummary() const {
   const Traceability& stated = m_document.traceability();
   QStringList lines;
   lines << tr("Device: %1, serial %2").arg(orNotStated(stated.deviceModel), orNotStated(stated.deviceSerial));
-  lines << tr("Reference: %1, serial %2").arg(orNotStated(stated.reference.model), orNotStated(stated.reference.serial));
-  lines << tr("Certificate: %1, due %2").arg(orNotStated(stated.reference.certificate), orNotStated(stated.reference.due));
+  lines
+      << tr("Reference: %1, serial %2").arg(orNotStated(stated.reference.model), orNotStated(stated.reference.serial));
+  lines << tr("Certificate: %1, due %2")
+               .arg(orNotStated(stated.reference.certificate), orNotStated(stated.reference.due));
   lines << (stated.reference.uncertainty > 0.0
                 ? tr("Reference uncertainty: %1° (k = 2)")
                       .arg(QString::fromStdString(formatForPeople(stated.reference.uncertainty)))

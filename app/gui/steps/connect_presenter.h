@@ -40,7 +40,7 @@ public:
   // Live reading
   void setShown(bool shown); ///< reads only while somebody looks
   std::optional<Reading> reading() const;
-  QString encoderText() const;    ///< "123.4567°", a dash without a reading
+  QString encoderText() const; ///< "123.4567°", a dash without a reading
   QString sensorText() const;
   QString differenceText() const; ///< sensor − encoder in [−180°, 180°)
   QString noiseText() const;      ///< standard deviation while the shaft stands; a dash until there are enough readings

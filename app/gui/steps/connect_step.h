@@ -7,14 +7,13 @@
 class QLabel;
 class QPushButton;
 class QDoubleSpinBox;
-class QVBoxLayout;
 
 namespace straightedge::gui {
 
-class InstrumentTable;
 class LiveDial;
 class NoticeList;
 class SimulatedBenchForm;
+class ValueLabel;
 
 class ConnectStep : public StepPage {
   Q_OBJECT
@@ -43,10 +42,10 @@ private:
   QPushButton* m_next = nullptr;
   QLabel* m_status = nullptr;
   LiveDial* m_dial = nullptr;
-  QLabel* m_encoder = nullptr;
-  QLabel* m_sensor = nullptr;
-  QLabel* m_difference = nullptr;
-  QLabel* m_noise = nullptr;
+  ValueLabel* m_encoder = nullptr;
+  ValueLabel* m_sensor = nullptr;
+  ValueLabel* m_difference = nullptr;
+  ValueLabel* m_noise = nullptr;
   QDoubleSpinBox* m_shaft = nullptr;
   QPushButton* m_move = nullptr;
   PlotView* m_trace = nullptr;

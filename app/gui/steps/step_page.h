@@ -33,6 +33,7 @@ public:
 signals:
   void availabilityChanged();          ///< missing() may have changed
   void goToStep(const QString& title); ///< a button or link leads on
+  void detailsRequested();             ///< open the dialog of traceability details
 };
 
 StepPage* makeConnectStep(StepContext context, QWidget* parent);
