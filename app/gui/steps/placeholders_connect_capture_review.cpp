@@ -2,7 +2,6 @@
 
 namespace straightedge::gui {
 
-StepPage* makeConnectStep(StepContext, QWidget* parent) { return new PlaceholderStep("Connect", "connect", parent); }
 StepPage* makeCaptureStep(StepContext, QWidget* parent) { return new PlaceholderStep("Capture", "capture", parent); }
 StepPage* makeReviewStep(StepContext, QWidget* parent) { return new PlaceholderStep("Review", "review", parent); }
 
