@@ -1,0 +1,6 @@
+# models: fits, quantisation, comparison, recommendation
+straightedge_add_test(NAME core_angle_models
+  SOURCES
+    core/angle/model_name_test.cpp
+  LIBRARIES straightedge::core
+  LABELS core)
