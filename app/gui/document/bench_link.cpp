@@ -2,8 +2,8 @@
 
 #include "app/gui/document/angle_document.h"
 #include "app/gui/document/capture_record.h"
+#include "app/gui/document/captured_sweep.h"
 #include "app/gui/document/live_reader.h"
-#include "app/gui/document/sweep_from_samples.h"
 
 #include <QTimer>
 
@@ -324,8 +324,7 @@ void BenchLink::endCapture() {
   if (role == session::SweepRole::Calibration) {
     m_impl->document.reloadSweepFromSession();
   } else {
-    m_impl->document.setVerificationSweep(
-        sweepFromSamples(committedSamples(m_impl->document, role, m_impl->live), "verification"));
+    m_impl->document.setVerificationSweep(capturedSweep(committedSamples(m_impl->document, role, m_impl->live)));
   }
   updateLiveReading();
   emit captureEnded(role);
