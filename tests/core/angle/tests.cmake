@@ -4,3 +4,9 @@ straightedge_add_test(NAME core_angle_models
     core/angle/model_name_test.cpp
   LIBRARIES straightedge::core
   LABELS core)
+
+straightedge_add_test(NAME core_angle_data
+  SOURCES
+    core/angle/curve_test.cpp
+  LIBRARIES straightedge::core
+  LABELS core)
