@@ -7,6 +7,7 @@ straightedge_add_test(NAME core_angle_models
 
 straightedge_add_test(NAME core_angle_data
   SOURCES
+    core/angle/calibration_test.cpp
     core/angle/curve_test.cpp
   LIBRARIES straightedge::core
   LABELS core)
