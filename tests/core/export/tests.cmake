@@ -1,4 +1,4 @@
-straightedge_add_test(NAME core_sweep_files
-  SOURCES core/angle/sweep_csv_test.cpp
+straightedge_add_test(NAME core_export
+  SOURCES core/angle/sweep_csv_test.cpp core/export/calibration_json_test.cpp core/export/tables_test.cpp
   LIBRARIES straightedge::core
   LABELS core)
