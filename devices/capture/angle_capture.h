@@ -42,7 +42,8 @@ public:
   void resume();
   void stop();               ///< ends the sweep after the current reading; committed samples stay
   void redo(int pointIndex); ///< measure this planned point again, as a further attempt
-  void waitUntilDone();      ///< blocks; for the command line and tests
+  /// Blocks until the sweep has ended or a fault paused it; for the command line and tests.
+  void waitUntilDone();
 
   CaptureProgress progress() const;
   /// Moves out every sample that arrived since the last call. Called once per frame by the GUI.

@@ -3,8 +3,10 @@
 
 #include "core/base/error.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace straightedge::devices {
 
@@ -42,6 +44,32 @@ public:
   virtual ~RotaryStage() = default;
   virtual InstrumentIdentity identity() const = 0;
   virtual Result<void> moveToDeg(double angleDeg) = 0; ///< unwrapped; returns when the stage says it is there
+
+  /// Begins a move and returns at once. A stage that cannot do so moves and returns when it is there.
+  virtual Result<void> startMoveToDeg(double angleDeg) { return moveToDeg(angleDeg); }
+  virtual Result<bool> isMoving() { return false; } ///< true until the stage says it is there
+  virtual Result<void> halt() { return {}; }        ///< stops a move that was begun, as quickly as the stage can
+};
+
+/// Encoder and sensor sampled together.
+struct StreamedAngle {
+  double timeS = 0.0;
+  double encoderDeg = 0.0; ///< unwrapped
+  double sensorDeg = 0.0;  ///< [0, 360)
+};
+
+struct StreamBlock {
+  std::vector<StreamedAngle> samples; ///< in order of time
+  std::int64_t lost = 0;              ///< samples the instrument dropped since the block before
+};
+
+/// Samples encoder and sensor by itself at a fixed rate while the shaft turns. Thread: the capture thread only.
+class AngleStream {
+public:
+  virtual ~AngleStream() = default;
+  virtual Result<void> start(double rateHz) = 0;
+  virtual Result<StreamBlock> read() = 0; ///< everything since start or the last read; does not wait
+  virtual Result<void> stop() = 0;
 };
 
 /// Ambient temperature. Optional. Thread: the capture thread only.
@@ -66,6 +94,7 @@ struct AngleBench {
   AngleReference* reference = nullptr;
   RotaryStage* stage = nullptr;       ///< optional
   Thermometer* thermometer = nullptr; ///< optional
+  AngleStream* stream = nullptr;      ///< optional: needed for plans with a sample rate
   BenchClock* clock = nullptr;
 };
 

@@ -1,0 +1,427 @@
+#include "devices/capture/capture_worker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace straightedge::devices {
+
+namespace {
+
+/// The shaft comes to a point from so far away, always in the point's direction, so that play and hysteresis are those
+/// of that direction.
+constexpr double takeUpDeg = 5.0;
+/// Longest time without a look at pause, stop and uncommitted samples.
+constexpr double lookAroundS = 0.02;
+/// Samples older than this are committed; the promise is 0.5 s.
+constexpr auto commitAfter = std::chrono::milliseconds(250);
+/// A shaft turned by hand counts as still while it moves less than this between two looks.
+constexpr double handStillDeg = 0.02;
+
+} // namespace
+
+CaptureWorker::CaptureWorker(AngleBench bench, session::SampleSink& sink, CaptureCourse course, CaptureShared& shared)
+    : m_bench(std::move(bench)), m_sink(sink), m_course(std::move(course)), m_shared(shared),
+      m_doneAtStart(m_course.done()) {}
+
+template <typename T>
+CaptureWorker::Step<T> CaptureWorker::fromInstrument(Result<T> outcome, const char* who) {
+  if (outcome) {
+    return *std::move(outcome);
+  }
+  Error error = std::move(outcome.error());
+  if (error.where.empty()) {
+    error.where = who;
+  }
+  return std::unexpected(Interruption{.fault = std::move(error)});
+}
+
+template <>
+CaptureWorker::Step<void> CaptureWorker::fromInstrument(Result<void> outcome, const char* who) {
+  if (outcome) {
+    return {};
+  }
+  return std::unexpected(fromInstrument<int>(std::unexpected(std::move(outcome.error())), who).error());
+}
+
+CaptureWorker::Step<void> CaptureWorker::fromSink(Result<void> outcome) {
+  if (outcome) {
+    return {};
+  }
+  return std::unexpected(Interruption{.fault = std::move(outcome.error()), .ofStorage = true});
+}
+
+void CaptureWorker::run(const std::stop_token& stop) {
+  m_stop = stop;
+  begin();
+  for (;;) {
+    takeRedoRequests();
+    Step<void> outcome = checkInterruption();
+    if (outcome && !m_course.next()) {
+      outcome = commit();
+      if (outcome && finish()) {
+        return;
+      }
+    } else if (outcome) {
+      outcome = m_course.plan().sampleRateHz > 0.0 ? measureRun(*m_course.nextRun()) : measurePoint(*m_course.next());
+    }
+    if (outcome) {
+      continue;
+    }
+    Interruption why = std::move(outcome.error());
+    if (!why.ofStorage) {
+      m_standsAtDeg.reset(); // whoever pauses may turn the shaft
+      if (auto committed = commit(); !committed) {
+        why = std::move(committed.error());
+      }
+    }
+    if (why.ofStorage) {
+      end(CaptureState::Failed, std::move(why.fault));
+      return;
+    }
+    if (!rest(stop, std::move(why.fault))) {
+      end(CaptureState::Stopped);
+      return;
+    }
+  }
+}
+
+void CaptureWorker::begin() {
+  if (!m_startS) {
+    m_startS = m_bench.clock->nowS();
+  }
+  publishProgress();
+}
+
+void CaptureWorker::takeRedoRequests() {
+  const std::scoped_lock lock(m_shared.mutex);
+  for (const int index : m_shared.redoRequests) {
+    m_course.redo(index);
+  }
+  m_shared.redoRequests.clear();
+}
+
+bool CaptureWorker::finish() {
+  publishProgress();
+  const std::scoped_lock lock(m_shared.mutex);
+  if (!m_shared.redoRequests.empty()) {
+    return false; // asked for while the last samples were committed
+  }
+  m_shared.progress.state = CaptureState::Finished;
+  m_shared.changed.notify_all();
+  return true;
+}
+
+bool CaptureWorker::rest(const std::stop_token& stop, std::optional<Error> fault) {
+  if (stop.stop_requested()) {
+    return false;
+  }
+  publishProgress();
+  std::unique_lock lock(m_shared.mutex);
+  if (fault) {
+    m_shared.pauseRequested = true; // until somebody asks to go on
+  }
+  m_shared.progress.state = CaptureState::Paused;
+  m_shared.progress.error = std::move(fault);
+  m_shared.changed.notify_all();
+  if (!m_shared.changed.wait(lock, stop, [this] { return !m_shared.pauseRequested; })) {
+    return false;
+  }
+  m_shared.progress.state = CaptureState::Running;
+  m_shared.progress.error.reset();
+  return true;
+}
+
+void CaptureWorker::end(CaptureState state, std::optional<Error> fault) {
+  publishProgress();
+  const std::scoped_lock lock(m_shared.mutex);
+  m_shared.progress.state = state;
+  m_shared.progress.error = std::move(fault);
+  m_shared.changed.notify_all();
+}
+
+CaptureWorker::Step<void> CaptureWorker::measurePoint(int index) {
+  const PlannedPoint& point = m_course.point(index);
+  if (auto there = m_bench.stage != nullptr ? approach(point.encoderDeg, point.direction) : waitForHand(point);
+      !there) {
+    return there;
+  }
+  if (auto settled = wait(m_course.plan().settleS); !settled) {
+    return settled;
+  }
+  std::optional<double> temperatureC;
+  if (m_bench.thermometer != nullptr) {
+    const auto reading = fromInstrument(m_bench.thermometer->readC(), "thermometer");
+    if (!reading) {
+      return std::unexpected(reading.error());
+    }
+    temperatureC = reading->value;
+  }
+  for (int left = m_course.readingsMissing(index); left > 0; --left) {
+    if (auto taken = readOnce(index, temperatureC); !taken) {
+      return taken;
+    }
+    m_course.readingTaken(index);
+    if (auto free = checkInterruption(); !free && left > 1) {
+      return free;
+    }
+  }
+  publishProgress();
+  return {};
+}
+
+CaptureWorker::Step<void> CaptureWorker::readOnce(int index, std::optional<double> temperatureC) {
+  const auto encoder = fromInstrument(m_bench.reference->readDeg(), "encoder");
+  if (!encoder) {
+    return std::unexpected(encoder.error());
+  }
+  const auto sensor = fromInstrument(m_bench.sensor->readDeg(), "sensor");
+  if (!sensor) {
+    return std::unexpected(sensor.error());
+  }
+  const PlannedPoint& point = m_course.point(index);
+  session::AngleSample sample;
+  sample.point = index;
+  sample.attempt = m_course.attempt(index);
+  sample.turn = point.turn;
+  sample.direction = point.direction;
+  sample.timeS = sampleTimeS(sensor->timeS);
+  sample.encoderDeg = encoder->value;
+  sample.sensorDeg = sensor->value;
+  sample.temperatureC = temperatureC;
+  return store({sample});
+}
+
+CaptureWorker::Step<void> CaptureWorker::measureRun(PointRun run) {
+  const PlannedPoint& first = m_course.point(run.first);
+  const int direction = first.direction;
+  const double sectors = run.last - run.first + 1;
+  const double endDeg = first.encoderDeg + direction * (sectors * m_course.stepDeg() + takeUpDeg);
+  if (auto there = travelTo(first.encoderDeg - direction * takeUpDeg); !there) {
+    return there;
+  }
+  if (auto settled = wait(m_course.plan().settleS); !settled) {
+    return settled;
+  }
+  auto outcome = fromInstrument(m_bench.stage->startMoveToDeg(endDeg), "stage");
+  if (outcome) {
+    outcome = fromInstrument(m_bench.stream->start(m_course.plan().sampleRateHz), "sampling");
+  }
+  m_standsAtDeg.reset();
+  int sector = run.first - 1;
+  bool passed = false;
+  while (outcome && !passed) {
+    outcome = wait(lookAroundS / 2.0);
+    if (!outcome) {
+      break;
+    }
+    // Asked before the samples are read: what is read afterwards reaches to the end of the move.
+    const auto moving = fromInstrument(m_bench.stage->isMoving(), "stage");
+    auto block = fromInstrument(m_bench.stream->read(), "sampling");
+    if (!moving || !block) {
+      outcome = std::unexpected(!moving ? moving.error() : block.error());
+      break;
+    }
+    const auto stored = storeStream(*block, run, sector);
+    if (!stored) {
+      outcome = std::unexpected(stored.error());
+      break;
+    }
+    passed = *stored;
+    if (!passed && !*moving && block->samples.empty()) {
+      outcome = std::unexpected(
+          Interruption{.fault = Error{ErrorKind::Instrument, "the stage stopped before the end of the sweep",
+                                      "see whether the shaft is blocked, then resume", "stage"}});
+    }
+  }
+  // Whatever ended it, stage and stream stand still afterwards; the first fault is the one that is told.
+  auto halted = fromInstrument(m_bench.stage->halt(), "stage");
+  auto stopped = fromInstrument(m_bench.stream->stop(), "sampling");
+  if (outcome) {
+    outcome = halted ? std::move(stopped) : std::move(halted);
+  }
+  return outcome;
+}
+
+CaptureWorker::Step<bool> CaptureWorker::storeStream(const StreamBlock& block, PointRun run, int& sector) {
+  if (block.lost > 0) {
+    const session::SampleGap gap{m_course.nextSequence, block.lost, "the instrument's memory ran over"};
+    if (auto recorded = fromSink(m_sink.recordGap(gap)); !recorded) {
+      return std::unexpected(recorded.error());
+    }
+    m_course.nextSequence += block.lost;
+  }
+  const PlannedPoint& first = m_course.point(run.first);
+  std::vector<session::AngleSample> samples;
+  samples.reserve(block.samples.size());
+  bool passed = false;
+  for (const StreamedAngle& streamed : block.samples) {
+    const double travelled = (streamed.encoderDeg - first.encoderDeg) * first.direction;
+    const int at = run.first + static_cast<int>(std::floor(travelled / m_course.stepDeg()));
+    // Jitter of the encoder at a border does not lead back into the sector before.
+    while (sector < std::min(at, run.last + 1)) {
+      if (sector >= run.first) {
+        m_course.sectorDone(sector);
+      }
+      ++sector;
+      if (sector <= run.last) {
+        m_course.sectorBegun(sector);
+      }
+    }
+    if (sector > run.last) {
+      passed = true;
+      break;
+    }
+    if (sector < run.first) {
+      continue; // still on the way to the first sector
+    }
+    session::AngleSample sample;
+    sample.point = sector;
+    sample.attempt = m_course.attempt(sector);
+    sample.turn = m_course.point(sector).turn;
+    sample.direction = first.direction;
+    sample.timeS = sampleTimeS(streamed.timeS);
+    sample.encoderDeg = streamed.encoderDeg;
+    sample.sensorDeg = streamed.sensorDeg;
+    samples.push_back(sample);
+  }
+  if (auto stored = store(std::move(samples)); !stored) {
+    return std::unexpected(stored.error());
+  }
+  publishProgress();
+  return passed;
+}
+
+CaptureWorker::Step<void> CaptureWorker::approach(double angleDeg, int direction) {
+  const bool onTheWay = m_standsAtDeg && m_cameFrom == direction && (angleDeg - *m_standsAtDeg) * direction > 0.0;
+  if (!onTheWay) {
+    if (auto back = travelTo(angleDeg - direction * takeUpDeg); !back) {
+      return back;
+    }
+  }
+  if (auto there = travelTo(angleDeg); !there) {
+    return there;
+  }
+  m_standsAtDeg = angleDeg;
+  m_cameFrom = direction;
+  return {};
+}
+
+CaptureWorker::Step<void> CaptureWorker::travelTo(double angleDeg) {
+  if (auto started = fromInstrument(m_bench.stage->startMoveToDeg(angleDeg), "stage"); !started) {
+    return started;
+  }
+  for (;;) {
+    const auto moving = fromInstrument(m_bench.stage->isMoving(), "stage");
+    if (!moving) {
+      return std::unexpected(moving.error());
+    }
+    if (!*moving) {
+      return {};
+    }
+    if (auto waited = wait(lookAroundS / 10.0); !waited) {
+      const auto halted = fromInstrument(m_bench.stage->halt(), "stage");
+      return halted ? waited : halted;
+    }
+  }
+}
+
+CaptureWorker::Step<void> CaptureWorker::waitForHand(const PlannedPoint& point) {
+  const double tolerance = m_course.stepDeg() / 4.0;
+  std::optional<double> before;
+  for (;;) {
+    const auto reading = fromInstrument(m_bench.reference->readDeg(), "encoder");
+    if (!reading) {
+      return std::unexpected(reading.error());
+    }
+    const bool near = std::abs(reading->value - point.encoderDeg) <= tolerance;
+    if (near && before && std::abs(reading->value - *before) <= handStillDeg) {
+      return {};
+    }
+    before = reading->value;
+    if (auto waited = wait(lookAroundS); !waited) {
+      return waited;
+    }
+  }
+}
+
+CaptureWorker::Step<void> CaptureWorker::wait(double seconds) {
+  double left = seconds;
+  do {
+    if (auto free = checkInterruption(); !free) {
+      return free;
+    }
+    const double now = std::min(left, lookAroundS);
+    m_bench.clock->sleepS(now);
+    left -= now;
+    if (auto committed = commitIfDue(); !committed) {
+      return committed;
+    }
+  } while (left > 0.0);
+  return {};
+}
+
+CaptureWorker::Step<void> CaptureWorker::checkInterruption() const {
+  if (m_stop.stop_requested() || m_shared.pauseRequested) {
+    return std::unexpected(Interruption{});
+  }
+  return {};
+}
+
+CaptureWorker::Step<void> CaptureWorker::store(std::vector<session::AngleSample> samples) {
+  if (samples.empty()) {
+    return {};
+  }
+  for (session::AngleSample& sample : samples) {
+    if (!std::isfinite(sample.encoderDeg) || !(sample.sensorDeg >= 0.0 && sample.sensorDeg <= 360.0)) {
+      return std::unexpected(
+          Interruption{.fault = Error{ErrorKind::Instrument, "a reading is not an angle from 0 to 360°",
+                                      "see to wiring and settings of sensor and encoder, then resume", m_bench.name}});
+    }
+    sample.sensorDeg = sample.sensorDeg == 360.0 ? 0.0 : sample.sensorDeg;
+    sample.sequence = m_course.nextSequence++;
+  }
+  if (auto appended = fromSink(m_sink.append(samples)); !appended) {
+    return appended;
+  }
+  if (!m_oldestUncommitted) {
+    m_oldestUncommitted = std::chrono::steady_clock::now();
+  }
+  m_samples += static_cast<std::int64_t>(samples.size());
+  m_shared.queue.push(std::move(samples));
+  return commitIfDue();
+}
+
+CaptureWorker::Step<void> CaptureWorker::commitIfDue() {
+  if (m_oldestUncommitted && std::chrono::steady_clock::now() - *m_oldestUncommitted >= commitAfter) {
+    return commit();
+  }
+  return {};
+}
+
+CaptureWorker::Step<void> CaptureWorker::commit() {
+  m_oldestUncommitted.reset();
+  return fromSink(m_sink.commit());
+}
+
+double CaptureWorker::sampleTimeS(double benchTimeS) const {
+  return m_course.timeOffsetS + benchTimeS - m_startS.value_or(benchTimeS);
+}
+
+void CaptureWorker::publishProgress() {
+  const double elapsed = m_bench.clock->nowS() - m_startS.value_or(0.0);
+  const int done = m_course.done();
+  const int doneNow = done - m_doneAtStart;
+  const std::scoped_lock lock(m_shared.mutex);
+  CaptureProgress& progress = m_shared.progress;
+  progress.pointsDone = done;
+  progress.pointsPlanned = m_course.planned();
+  progress.samples = m_samples;
+  progress.samplesLost = m_shared.queue.lost();
+  progress.elapsedS = elapsed;
+  if (doneNow >= 2) {
+    progress.remainingS = elapsed / doneNow * (m_course.planned() - done);
+  }
+}
+
+} // namespace straightedge::devices
