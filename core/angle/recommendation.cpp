@@ -57,6 +57,18 @@ const ComparisonRow* bestOf(const std::array<const ComparisonRow*, kinds.size()>
 
 std::string degrees(double value) { return formatForPeople(value, 3) + "°"; }
 
+/// A demand as a person would write it: 0.5°, not 0.500°.
+std::string demandText(double value) {
+  std::string text = formatForPeople(value, 3);
+  if (text.find('.') != std::string::npos && text.find('e') == std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') {
+      text.pop_back();
+    }
+  }
+  return text + "°";
+}
+
 std::string entriesText(int entries) { return std::to_string(entries) + (entries == 1 ? " entry" : " entries"); }
 
 std::string storageText(const ComparisonRow& row) {
@@ -101,12 +113,12 @@ Recommendation recommendForTarget(const Comparison& comparison, double targetErr
       comparison, [targetErrorDeg](const ComparisonRow& row) { return judgedError(row) <= targetErrorDeg; }, needsLess);
   if (result.choice) {
     const ComparisonRow& choice = *result.choice;
-    result.sentence = choice.name.text() + " meets " + degrees(targetErrorDeg) + " with " + storageText(choice) + ", " +
-                      degrees(judgedError(choice)) + " maximum error" + runnersUpText(result.runnersUp) + ".";
+    result.sentence = choice.name.text() + " meets " + demandText(targetErrorDeg) + " with " + storageText(choice) +
+                      ", " + degrees(judgedError(choice)) + " maximum error" + runnersUpText(result.runnersUp) + ".";
     return result;
   }
   const Recommendation nearest = recommend(comparison, [](const ComparisonRow&) { return true; }, isMoreAccurate);
-  result.sentence = "No model meets " + degrees(targetErrorDeg);
+  result.sentence = "No model meets " + demandText(targetErrorDeg);
   if (nearest.choice) {
     result.sentence += "; the most accurate is " + nearest.choice->name.text() + " with " +
                        storageText(*nearest.choice) + " and " + degrees(judgedError(*nearest.choice)) +
