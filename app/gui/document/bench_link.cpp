@@ -257,6 +257,8 @@ std::optional<devices::AnglePlan> BenchLink::interruptedPlan(session::SweepRole 
   return record->plan;
 }
 
+session::SweepRole BenchLink::captureRole() const { return m_impl->role; }
+
 const devices::AnglePlan& BenchLink::capturePlan() const { return m_impl->plan; }
 
 void BenchLink::redoPoint(int pointIndex) {
@@ -299,14 +301,15 @@ void BenchLink::onFrame() {
     m_impl->live.insert(m_impl->live.end(), fresh.begin(), fresh.end());
     emit samplesArrived(firstNew);
   }
-  emit progressChanged();
   if (progress.error && !m_impl->faultShown) {
     m_impl->faultShown = true;
     emit failed(QString::fromStdString(progress.error->message()));
   }
   if (!isActive(progress.state)) {
     endCapture();
+    return;
   }
+  emit progressChanged();
 }
 
 void BenchLink::endCapture() {
@@ -327,6 +330,7 @@ void BenchLink::endCapture() {
     m_impl->document.setVerificationSweep(capturedSweep(committedSamples(m_impl->document, role, m_impl->live)));
   }
   updateLiveReading();
+  emit progressChanged();
   emit captureEnded(role);
 }
 

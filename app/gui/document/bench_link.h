@@ -55,7 +55,8 @@ public:
   void stopAndWait(); ///< before the session closes: ends the capture, commits, and returns when both are done
   /// The plan of a sweep in the session that was begun and not carried out to the end; empty while capturing.
   std::optional<devices::AnglePlan> interruptedPlan(session::SweepRole role) const;
-  /// The plan of the running or last capture.
+  /// Role and plan of the running or last capture.
+  session::SweepRole captureRole() const;
   const devices::AnglePlan& capturePlan() const;
   void redoPoint(int pointIndex); ///< while capturing, or afterwards: measures one planned point again
   bool isCapturing() const;

@@ -1,0 +1,69 @@
+// Step Capture: the plan, its course with time left, and live plots.
+#pragma once
+
+#include "app/gui/steps/capture_presenter.h"
+#include "app/gui/steps/step_page.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTableView;
+
+namespace straightedge::gui {
+
+class CoverageRing;
+class NoticeList;
+class PlanForm;
+
+class CaptureStep : public StepPage {
+  Q_OBJECT
+public:
+  explicit CaptureStep(StepContext context, QWidget* parent = nullptr);
+
+  QString title() const override;
+  QString helpPage() const override;
+  QString missing() const override;
+  void entered() override;
+  void left() override;
+
+private:
+  QWidget* makePlanBox();
+  QWidget* makeCourseBox();
+  QWidget* makeRingBox();
+  QWidget* makePointsBox();
+  void connectPresenter();
+  void showPhase();
+  void showPlan();
+  void showNotices();
+  void showProgress();
+  void takeSamples(int first);
+  void showFrame(); ///< once per frame while samples arrive; what may lag is shown less often
+  void showAllPlots();
+  void start();
+  void selectPlanPoint(int planPoint);
+  std::optional<int> selectedPoint() const;
+
+  CapturePresenter m_presenter;
+  NoticeList* m_notices = nullptr;
+  PlanForm* m_plan = nullptr;
+  QLabel* m_planSummary = nullptr;
+  QLabel* m_guidance = nullptr;
+  QPushButton* m_start = nullptr;
+  QPushButton* m_continue = nullptr;
+  QPushButton* m_pause = nullptr;
+  QPushButton* m_stop = nullptr;
+  QPushButton* m_redo = nullptr;
+  QPushButton* m_connect = nullptr;
+  QPushButton* m_next = nullptr;
+  QProgressBar* m_progress = nullptr;
+  QLabel* m_progressText = nullptr;
+  QLabel* m_samplesText = nullptr;
+  CoverageRing* m_ring = nullptr;
+  PlotView* m_errorPlot = nullptr;
+  PlotView* m_sensorPlot = nullptr;
+  QTableView* m_table = nullptr;
+  bool m_shown = false;
+  int m_frame = 0;
+};
+
+} // namespace straightedge::gui
