@@ -173,6 +173,14 @@ Result<std::unique_ptr<Session>> Session::open(const std::filesystem::path& file
   return std::unique_ptr<Session>(new Session(*std::move(impl)));
 }
 
+Result<std::unique_ptr<Session>> Session::openReadOnly(const std::filesystem::path& file) {
+  auto impl = openConnectionForReading(file);
+  if (!impl) {
+    return std::unexpected(std::move(impl.error()));
+  }
+  return std::unique_ptr<Session>(new Session(*std::move(impl)));
+}
+
 const std::filesystem::path& Session::file() const { return m_impl->file; }
 SessionKind Session::kind() const { return m_impl->kind; }
 bool Session::readOnly() const { return m_impl->readOnly; }

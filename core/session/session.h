@@ -33,6 +33,9 @@ public:
   /// Errors: Input (not there, not a session, later version), Storage (damaged, locked by another program).
   static Result<std::unique_ptr<Session>> open(const std::filesystem::path& file);
 
+  /// For looking at a file without changing it; another program may do the same at the same time. Errors as for open().
+  static Result<std::unique_ptr<Session>> openReadOnly(const std::filesystem::path& file);
+
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -47,8 +50,8 @@ public:
   Result<std::vector<AngleSample>> angleSamples(SweepRole role) const; ///< all committed, in order of sequence
   Result<std::int64_t> angleSampleCount(SweepRole role) const;
   Result<std::vector<SampleGap>> gaps(SweepRole role) const;
-  /// Starts a sweep over: its samples are not seen any more at once, and leave the file together with the next thing
-  /// that is written, so that a capture that never gets to its first sample destroys nothing.
+  /// Starts a sweep over: its samples are not seen any more at once, and leave the file in one transaction with the
+  /// next thing that is written (samples of the new sweep, or a document that speaks of it), or on closing.
   Result<void> clearSamples(SweepRole role);
 
   /// A sink for one capture; commits at most 0.5 s after the oldest uncommitted sample by itself, in a thread of its

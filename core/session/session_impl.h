@@ -46,6 +46,9 @@ inline std::int64_t sweepNumber(SweepRole role) { return role == SweepRole::Cali
 /// Opens the connection for Session::open: checks, migrates, enters WAL. Leaves a file that it refuses as it was.
 Result<std::unique_ptr<Session::Impl>> openConnection(const std::filesystem::path& file);
 
+/// Likewise for Session::openReadOnly, and for what cannot be written.
+Result<std::unique_ptr<Session::Impl>> openConnectionForReading(const std::filesystem::path& file);
+
 /// Makes an entry of a folder durable, as far as the system can.
 void flushFolderOf(const std::filesystem::path& file);
 /// A name beside `file` that nobody else uses.

@@ -60,7 +60,12 @@ finishOpening(const std::filesystem::path& file, std::unique_ptr<Database> datab
   return impl;
 }
 
-Result<std::unique_ptr<Session::Impl>> openForReading(const std::filesystem::path& file) {
+} // namespace
+
+Result<std::unique_ptr<Session::Impl>> openConnectionForReading(const std::filesystem::path& file) {
+  if (auto checked = checkIsFile(file); !checked) {
+    return std::unexpected(std::move(checked.error()));
+  }
   const bool needsRecovery = hasContent(besides(file, "-wal")) || hasContent(besides(file, "-journal"));
   std::unique_ptr<Database> database;
   for (const auto access : {Database::Access::ReadOnly, Database::Access::Immutable}) {
@@ -69,6 +74,7 @@ Result<std::unique_ptr<Session::Impl>> openForReading(const std::filesystem::pat
       return std::unexpected(std::move(opened.error()));
     }
     database = *std::move(opened);
+    database->keepLogOnClose();
     auto checked = checkSession(*database, file);
     if (checked) {
       break;
@@ -86,13 +92,11 @@ Result<std::unique_ptr<Session::Impl>> openForReading(const std::filesystem::pat
   if (version && *version < Session::schemaVersion) {
     return fail(ErrorKind::Storage,
                 "the session has the older file version " + std::to_string(*version) +
-                    " and cannot be converted in a read-only place",
-                "copy the file to a writable folder and open it there", file.string());
+                    " and cannot be converted where it may not be written",
+                "open it once in Straightedge, from a writable folder", file.string());
   }
   return finishOpening(file, std::move(database), false, {});
 }
-
-} // namespace
 
 Result<std::unique_ptr<Session::Impl>> openConnection(const std::filesystem::path& file) {
   if (auto checked = checkIsFile(file); !checked) {
@@ -107,7 +111,7 @@ Result<std::unique_ptr<Session::Impl>> openConnection(const std::filesystem::pat
   database->keepLogOnClose();
   if (database->isReadOnly()) {
     database.reset();
-    return openForReading(file);
+    return openConnectionForReading(file);
   }
 
   // Exclusive locking keeps other programs out while the file is open, and lets go when the program dies.
@@ -136,7 +140,7 @@ Result<std::unique_ptr<Session::Impl>> openConnection(const std::filesystem::pat
     const bool readable = meansReadOnlyFolder(*database);
     database.reset();
     if (readable) {
-      return openForReading(file);
+      return openConnectionForReading(file);
     }
     return std::unexpected(std::move(prepared.error()));
   }

@@ -75,7 +75,6 @@ Result<void> AngleCapture::start(const AnglePlan& plan, const std::vector<sessio
     m_impl->shared.progress = {};
     m_impl->shared.progress.pointsPlanned = course->planned();
     m_impl->shared.progress.pointsDone = course->done();
-    m_impl->shared.redoRequests.clear();
   }
   m_impl->worker.emplace(m_impl->bench, m_impl->sink, *std::move(course), m_impl->shared);
   m_impl->startThread();

@@ -40,8 +40,10 @@ public:
   Result<void> start(const AnglePlan& plan, const std::vector<session::AngleSample>& already = {});
   void pause();
   void resume();
-  void stop();               ///< ends the sweep after the current reading; committed samples stay
-  void redo(int pointIndex); ///< measure this planned point again, as a further attempt
+  void stop(); ///< ends the sweep after the current reading; committed samples stay
+  /// Measures this planned point again, as a further attempt: next while running, by itself after the sweep has
+  /// finished, first of all where it is asked for before start(). A number that is in no plan is ignored.
+  void redo(int pointIndex);
   /// Blocks until the sweep has ended or a fault paused it; for the command line and tests.
   void waitUntilDone();
 

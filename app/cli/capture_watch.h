@@ -1,0 +1,32 @@
+// Follows a capture from the main thread: progress on a terminal, and a clean end on SIGINT or SIGTERM.
+#pragma once
+
+#include "devices/capture/angle_capture.h"
+
+#include <csignal>
+
+namespace straightedge::cli {
+
+/// Holds SIGINT and SIGTERM back while it lives, so that they end the sweep instead of the program. Make it before
+/// threads are started: they inherit the mask.
+class CaptureWatch {
+public:
+  CaptureWatch();
+  ~CaptureWatch();
+  CaptureWatch(const CaptureWatch&) = delete;
+  CaptureWatch& operator=(const CaptureWatch&) = delete;
+
+  /// Blocks until the sweep has ended; a fault of an instrument ends it too. The error, if any, is in the result.
+  devices::CaptureProgress follow(devices::AngleCapture& capture);
+
+private:
+  void show(const devices::CaptureProgress& progress);
+  void wipe();
+
+  sigset_t m_signals{};
+  sigset_t m_before{};
+  bool m_onTerminal;
+  bool m_shown = false;
+};
+
+} // namespace straightedge::cli
