@@ -140,8 +140,10 @@ Result<PreparedRun> prepareResumed(const CaptureRequest& request, SweepRole role
 }
 
 Result<PreparedRun> prepareNew(const CaptureRequest& request, SweepRole role) {
-  PreparedRun run{
-      .session = nullptr, .plan = withOptions({}, request), .settings = withOptions({}, request), .already = {}};
+  PreparedRun run{.session = nullptr,
+                  .plan = withOptions(devices::AnglePlan{}, request),
+                  .settings = withOptions(devices::SimulatedAngleSettings{}, request),
+                  .already = {}};
   if (auto checked = devices::checkPlan(run.plan); !checked) {
     return std::unexpected(std::move(checked.error()));
   }
@@ -249,13 +251,13 @@ Result<void> runCapture(const CaptureRequest& request) {
   if (request.bench != "simulated") {
     return fail(ErrorKind::Instrument, "there is no bench named '" + request.bench + "'", "give --bench simulated");
   }
+  if (auto checked = checkSettings(withOptions(devices::SimulatedAngleSettings{}, request)); !checked) {
+    return checked;
+  }
   const SweepRole role = request.verification ? SweepRole::Verification : SweepRole::Calibration;
   auto run = request.resume ? prepareResumed(request, role) : prepareNew(request, role);
   if (!run) {
     return std::unexpected(std::move(run.error()));
-  }
-  if (auto checked = checkSettings(run->settings); !checked) {
-    return checked;
   }
   CaptureWatch watch; // before any thread is started
   devices::SimulatedAngleBench bench(run->settings);
