@@ -5,6 +5,7 @@
 #include "core/angle/repeatability.h"
 #include "core/angle/sweep_checks.h"
 #include "core/angle/travel.h"
+#include "core/angle/turning_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -114,7 +115,7 @@ Result<AlignedSweep> alignSweep(const Sweep& sweep) {
     return std::unexpected(std::move(*error));
   }
   AlignedSweep aligned;
-  if (auto error = refuseTurning(sweep, means.encoderDeg, means.sensorDeg, aligned.direction)) {
+  if (auto error = refuseTurning(sweep, encoder, sensor, aligned.direction)) {
     return std::unexpected(std::move(*error));
   }
 
@@ -160,6 +161,9 @@ Result<AlignedSweep> alignSweep(const Sweep& sweep) {
   aligned.passes = measureRepeatability(aligned, sortedGroups);
   aligned.passes.turns = travel.turns;
   aligned.passes.bothDirections = travel.bothDirections;
+  if (auto error = refuseDrift(sweep, aligned)) {
+    return std::unexpected(std::move(*error));
+  }
   noteWarnings(aligned);
   return aligned;
 }

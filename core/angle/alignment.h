@@ -31,7 +31,7 @@ struct Warning {
   std::string text;
 };
 
-/// A stretch of sensor angle without any point, wider than twice the median distance.
+/// A stretch of sensor angle without any point, wider than twice the median distance and than 1°.
 struct CoverageGap {
   double fromDeg = 0.0; ///< sensor angle of the last point before the gap, [0, 360)
   double widthDeg = 0.0;
@@ -40,11 +40,12 @@ struct CoverageGap {
 /// What several passes over the same encoder angles tell. Degrees; absent where the sweep cannot tell.
 struct Repeatability {
   std::optional<double> noiseDeg;         ///< standard deviation of readings at one angle, direction and turn
-  std::optional<double> repeatabilityDeg; ///< standard deviation between turns of the per-angle, per-direction means
+  std::optional<double> repeatabilityDeg; ///< standard deviation between turns of the per-angle, per-direction means,
+                                          ///< apart from what noise leaves in them
   std::optional<double> hysteresisMaxDeg; ///< largest |half difference| between the directions' means
   std::optional<double> hysteresisRmsDeg;
   std::vector<double> encoderDeg;     ///< distinct encoder angles [0, 360), ascending, where both directions exist
-  std::vector<double> risingMeanDeg;  ///< mean angle error sensor − encoder there, rising direction
+  std::vector<double> risingMeanDeg;  ///< mean angle error reading − encoder there, rising direction
   std::vector<double> fallingMeanDeg; ///< the same, falling
   std::vector<double> hysteresisDeg;  ///< half the difference rising − falling, per encoder angle
   int turns = 1;

@@ -17,14 +17,16 @@ constexpr std::size_t comfortableAngles = 16;
 constexpr std::size_t anglesForWideSwing = 32;
 constexpr double wideSwingDeg = 5.0;
 constexpr double widestGapDeg = 90.0;
-/// Beyond this an encoder angle keeps fewer than about 9 decimals of a degree, and is no shaft's angle.
-constexpr double largestEncoderDeg = 1e6;
+/// Ten thousand turns: no sweep is longer, and angles keep nine decimals of a degree up to there.
+constexpr double largestEncoderDeg = 3600000.0;
 /// A gap narrower than this hides nothing that 64 harmonics could show, however dense the other points are.
 constexpr double gapWorthNamingDeg = 1.0;
-/// A sensor whose readings all stay this near to one another does not follow the shaft.
-constexpr double standingStillDeg = 5.0;
 
-std::string degrees(double value, int digits = 4) { return formatForPeople(value, digits) + "°"; }
+std::string degrees(double value) { return formatForPeople(value, 3) + "°"; }
+/// A place on the circle: one more digit than a width needs.
+std::string place(double value) { return formatForPeople(value, 4) + "°"; }
+/// A limit, as it is written here.
+std::string limit(double value) { return formatDouble(value) + "°"; }
 
 std::string rowPlace(const Sweep& sweep, std::size_t row) {
   if (row < sweep.line.size()) {
@@ -53,7 +55,7 @@ std::optional<Error> refuseNumber(const Sweep& sweep, std::size_t row, const cha
   if (value < low || value > high) {
     return Error{ErrorKind::Input,
                  "the " + std::string(name) + " angle " + formatDouble(value) + "°" + rowNote(sweep, row) +
-                     " is outside " + formatForPeople(low, 7) + "° to " + formatForPeople(high, 7) + "°",
+                     " is outside " + limit(low) + " to " + limit(high),
                  "give angles in degrees, or remove the row", rowPlace(sweep, row)};
   }
   return std::nullopt;
@@ -82,7 +84,7 @@ Gap widest(const std::vector<Gap>& gaps) {
 }
 
 std::string stretch(double fromDeg, double widthDeg) {
-  return degrees(fromDeg) + " to " + degrees(wrap360(fromDeg + widthDeg));
+  return place(fromDeg) + " to " + place(wrap360(fromDeg + widthDeg));
 }
 
 } // namespace
@@ -121,40 +123,9 @@ std::optional<Error> refuseCoverage(const Sweep& sweep, const Eigen::VectorXd& d
   if (gap.widthDeg > widestGapDeg) {
     return inputError(sweep,
                       "no encoder angle in the " + degrees(gap.widthDeg) + " from " +
-                          stretch(gap.fromDeg, gap.widthDeg) + "; gaps up to " + degrees(widestGapDeg) +
-                          " are accepted",
+                          stretch(gap.fromDeg, gap.widthDeg) + "; gaps up to " + limit(widestGapDeg) + " are accepted",
                       "record the missing part of the turn");
   }
-  return std::nullopt;
-}
-
-std::optional<Error> refuseTurning(const Sweep& sweep, const Eigen::VectorXd& distinctEncoderDeg,
-                                   const Eigen::VectorXd& meanSensorDeg, SensorDirection& direction) {
-  const Eigen::Index n = meanSensorDeg.size();
-  double position = 0.0;
-  double low = 0.0;
-  double high = 0.0;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    position += wrap180(meanSensorDeg((i + 1) % n) - meanSensorDeg(i));
-    low = std::min(low, position);
-    high = std::max(high, position);
-  }
-  (void)distinctEncoderDeg;
-  const auto turns = static_cast<int>(std::lround(position / 360.0));
-  if (turns == 0 && high - low <= standingStillDeg) {
-    return inputError(
-        sweep,
-        high - low > 0.0 ? "the sensor stays within " + degrees(high - low, 3) + " while the encoder makes a whole turn"
-                         : "the sensor shows the same angle, " + degrees(meanSensorDeg(0)) + ", at every encoder angle",
-        "check the sensor's wiring and that the magnet turns with the shaft");
-  }
-  if (turns == 0 || std::abs(turns) > 1) {
-    return inputError(sweep,
-                      "the sensor makes " + std::to_string(std::abs(turns)) +
-                          " turns while the encoder makes one; it must make exactly one",
-                      "check the gear ratio, the magnet's pole pairs and which column is which");
-  }
-  direction = turns > 0 ? SensorDirection::Increasing : SensorDirection::Decreasing;
   return std::nullopt;
 }
 
@@ -173,7 +144,7 @@ std::optional<Error> measureGaps(const Sweep& sweep, const Eigen::VectorXd& dist
     return inputError(sweep,
                       "the sensor leaps over " + degrees(largest.widthDeg) + ", from " +
                           stretch(asSensor(largest), largest.widthDeg) + ", between neighbouring points; gaps up to " +
-                          degrees(widestGapDeg) + " are accepted",
+                          limit(widestGapDeg) + " are accepted",
                       "record more angles where the sensor moves fast");
   }
   for (const Gap& gap : gaps) {
@@ -195,21 +166,20 @@ void noteWarnings(AlignedSweep& aligned) {
          "Only " + count + " distinct angles: at least " + std::to_string(comfortableAngles) + " are recommended.");
   }
   if (aligned.distinctAngles < anglesForWideSwing && swing > wideSwingDeg) {
-    warn(Warning::Topic::FewAnglesForSwing, "The correction swings by " + degrees(swing, 3) + ", but there are only " +
-                                                count + " distinct angles: above " + degrees(wideSwingDeg) +
-                                                " at least " + std::to_string(anglesForWideSwing) +
-                                                " are recommended.");
+    warn(Warning::Topic::FewAnglesForSwing,
+         "The correction swings by " + degrees(swing) + ", but there are only " + count + " distinct angles: above " +
+             limit(wideSwingDeg) + " at least " + std::to_string(anglesForWideSwing) + " are recommended.");
   }
   if (!aligned.gaps.empty()) {
     const auto wide =
         *std::max_element(aligned.gaps.begin(), aligned.gaps.end(),
                           [](const CoverageGap& a, const CoverageGap& b) { return a.widthDeg < b.widthDeg; });
-    std::string text = aligned.gaps.size() == 1
-                           ? "A gap of " + degrees(wide.widthDeg, 3)
-                           : std::to_string(aligned.gaps.size()) + " gaps in the sensor angles, the widest " +
-                                 degrees(wide.widthDeg, 3);
-    text += " from sensor angle " + stretch(wide.fromDeg, wide.widthDeg) + ": more than twice the median distance of " +
-            degrees(aligned.medianGapDeg, 3) + "; the correction is uncertain there.";
+    std::string text =
+        aligned.gaps.size() == 1
+            ? "A gap in the sensor angles of " + degrees(wide.widthDeg)
+            : std::to_string(aligned.gaps.size()) + " gaps in the sensor angles, the widest " + degrees(wide.widthDeg);
+    text += " from " + stretch(wide.fromDeg, wide.widthDeg) + ": more than twice the median distance of " +
+            degrees(aligned.medianGapDeg) + "; the correction is uncertain there.";
     warn(Warning::Topic::CoverageGap, std::move(text));
   }
   if (aligned.direction == SensorDirection::Decreasing) {

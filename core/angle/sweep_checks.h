@@ -10,17 +10,12 @@
 
 namespace straightedge::angle {
 
-/// Columns of equal length, finite numbers, sensor in [0, 360], encoder within a million degrees. Switched-off rows may
-/// hold anything.
+/// Columns of equal length, finite numbers, sensor in [0, 360], encoder within ten thousand turns. Switched-off rows
+/// may hold anything.
 std::optional<Error> refuseUnreadable(const Sweep& sweep);
 
 /// Fewer than 8 distinct angles, or more than 90° of the circle without an encoder angle (ascending, in [0, 360)).
 std::optional<Error> refuseCoverage(const Sweep& sweep, const Eigen::VectorXd& distinctEncoderDeg);
-
-/// A sensor that does not turn exactly once while the encoder does. Mean sensor angles at the distinct encoder angles,
-/// in their order. On success `direction` is set.
-std::optional<Error> refuseTurning(const Sweep& sweep, const Eigen::VectorXd& distinctEncoderDeg,
-                                   const Eigen::VectorXd& meanSensorDeg, SensorDirection& direction);
 
 /// Gaps between the readings at the distinct angles (ascending, in [0, 360)): fills medianGapDeg, largestGapDeg and
 /// gaps, and refuses a gap of more than 90°.

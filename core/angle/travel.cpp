@@ -1,9 +1,11 @@
 #include "core/angle/travel.h"
 
 #include "core/angle/angles.h"
+#include "core/numerics/statistics.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace straightedge::angle {
 
@@ -23,6 +25,37 @@ std::vector<double> continued(const Sweep& sweep, const std::vector<std::size_t>
   return position;
 }
 
+/// Rows that follow one another this near were taken at one stop of the shaft.
+constexpr double stopDeg = 0.02;
+
+/// Usual number of rows taken at one stop.
+double usualStop(const std::vector<double>& position) {
+  std::vector<double> lengths;
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i <= position.size(); ++i) {
+    if (i == position.size() || std::abs(position[i] - position[i - 1]) > stopDeg) {
+      lengths.push_back(static_cast<double>(i - begin));
+      begin = i;
+    }
+  }
+  return numerics::median(std::move(lengths));
+}
+
+/// First row of the pass that begins at the turning point in row `extreme`. A stop there that holds about twice as many
+/// rows as usual was visited in both directions without moving between: the later half belongs to the new pass.
+std::size_t firstRowAfterTurning(const std::vector<double>& position, std::size_t extreme, double usual) {
+  std::size_t first = extreme;
+  std::size_t last = extreme;
+  while (first > 0 && std::abs(position[first - 1] - position[extreme]) <= stopDeg) {
+    --first;
+  }
+  while (last + 1 < position.size() && std::abs(position[last + 1] - position[extreme]) <= stopDeg) {
+    ++last;
+  }
+  const std::size_t rows = last + 1 - first;
+  return static_cast<double>(rows) >= 1.5 * usual && rows > 1 ? first + (rows + 1) / 2 : last + 1;
+}
+
 struct Passes {
   std::vector<int> sign; ///< per row
   std::size_t count = 1;
@@ -31,6 +64,7 @@ struct Passes {
 Passes passesOf(const std::vector<double>& position) {
   Passes passes;
   passes.sign.assign(position.size(), 0);
+  const double usual = usualStop(position);
   std::size_t begin = 0;
   std::size_t extreme = 0; // row of the furthest position of the pass so far
   int sign = 0;
@@ -44,9 +78,10 @@ Passes passesOf(const std::vector<double>& position) {
     } else if (ahead * sign >= 0.0) {
       extreme = i;
     } else if (ahead * sign <= -reversalDeg) {
+      const std::size_t next = firstRowAfterTurning(position, extreme, usual);
       std::fill(passes.sign.begin() + static_cast<std::ptrdiff_t>(begin),
-                passes.sign.begin() + static_cast<std::ptrdiff_t>(extreme) + 1, sign);
-      begin = extreme + 1;
+                passes.sign.begin() + static_cast<std::ptrdiff_t>(next), sign);
+      begin = next;
       sign = -sign;
       extreme = i;
       ++passes.count;

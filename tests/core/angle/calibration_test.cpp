@@ -1,5 +1,4 @@
 #include "core/angle/calibration.h"
-
 #include "core/angle/sweep_csv.h"
 
 #include <gtest/gtest.h>
