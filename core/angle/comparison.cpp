@@ -68,8 +68,8 @@ public:
   }
 
   void addHarmonics() {
-    const HarmonicSpectrum spectrum = spectrumOf(m_curve->gridDeg);
     const int most = std::min(m_curve->resolvableHarmonics, sizeRange(ModelKind::Harmonic).largest);
+    const HarmonicSpectrum spectrum = spectrumOf(m_curve->gridDeg, most);
     const std::vector<int> orders = spectrum.ordersByAmplitude(most);
     for (int size = 0; size <= most && !stopped(); ++size) {
       add({ModelKind::Harmonic, size, FitMethod::ByAmplitude, m_bits},

@@ -115,14 +115,15 @@ std::vector<int> HarmonicSpectrum::ordersByAmplitude(int limit) const {
   return orders;
 }
 
-HarmonicSpectrum spectrumOf(const Eigen::VectorXd& gridDeg) {
+HarmonicSpectrum spectrumOf(const Eigen::VectorXd& gridDeg, int limit) {
   assert(gridDeg.size() == gridSize);
   const TrigonometryTable& table = TrigonometryTable::instance();
   Workspace work;
   transformColumns(gridDeg.data(), work, table);
 
   HarmonicSpectrum spectrum;
-  for (std::size_t order = 0; order <= rows / 2; ++order) {
+  const auto last = static_cast<std::size_t>(std::clamp(limit, 0, largestHarmonic));
+  for (std::size_t order = 0; order <= last; ++order) {
     double re = 0.0;
     double im = 0.0;
     const ComplexRow& value = work.output[order];

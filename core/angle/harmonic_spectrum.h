@@ -19,8 +19,8 @@ struct HarmonicSpectrum {
   std::vector<int> ordersByAmplitude(int limit) const;
 };
 
-/// `gridDeg` has 4096 entries. A transform pruned to the outputs that are wanted: 32 interleaved transforms of 128
-/// samples side by side, joined by twiddle factors.
-HarmonicSpectrum spectrumOf(const Eigen::VectorXd& gridDeg);
+/// `gridDeg` has 4096 entries; coefficients above `limit` are left zero. A transform pruned to the outputs that are
+/// wanted: 32 interleaved transforms of 128 samples side by side, joined by twiddle factors.
+HarmonicSpectrum spectrumOf(const Eigen::VectorXd& gridDeg, int limit = largestHarmonic);
 
 } // namespace straightedge::angle

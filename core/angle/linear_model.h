@@ -7,11 +7,6 @@
 
 namespace straightedge::angle {
 
-/// First grid index of segment or bin k: the smallest i with ⌊i·size/count⌋ = k.
-constexpr int firstOfBin(int k, int size, int count) {
-  return static_cast<int>((static_cast<long long>(k) * count + size - 1) / size);
-}
-
 /// Values that minimise the sum of squares over the grid (`gridDeg`, i·360/4096): normal equations of the hat
 /// functions, a periodic tridiagonal system. The app note fits three copies of the curve side by side and keeps the
 /// middle one; the result is the same to rounding.

@@ -1,6 +1,6 @@
 #include "core/angle/minimax_chain.h"
 
-#include "core/angle/linear_model.h"
+#include "core/angle/bin_walk.h"
 
 #include <algorithm>
 #include <cmath>

@@ -33,7 +33,7 @@ Result<HarmonicModel> fitHarmonics(const CorrectionCurve& curve, const ModelName
                 "use harmonic:" + resolved + " at most, or record at least " + std::to_string(2 * name.size) +
                     " distinct angles");
   }
-  const HarmonicSpectrum spectrum = spectrumOf(curve.gridDeg);
+  const HarmonicSpectrum spectrum = spectrumOf(curve.gridDeg, curve.resolvableHarmonics);
   std::vector<int> orders;
   if (name.method == FitMethod::ByAmplitude) {
     orders = spectrum.ordersByAmplitude(curve.resolvableHarmonics);

@@ -1,8 +1,16 @@
 # models: fits, quantisation, comparison, recommendation
 straightedge_add_test(NAME core_angle_models
   SOURCES
+    core/angle/model_curves.cpp
     core/angle/model_name_test.cpp
-  LIBRARIES straightedge::core
+    core/angle/model_fit_test.cpp
+    core/angle/linear_model_test.cpp
+    core/angle/lookup_table_model_test.cpp
+    core/angle/minimax_linear_test.cpp
+    core/angle/quantisation_test.cpp
+    core/angle/comparison_test.cpp
+    core/angle/recommendation_test.cpp
+  LIBRARIES straightedge::core nlohmann_json::nlohmann_json
   LABELS core)
 
 straightedge_add_test(NAME core_angle_data
