@@ -24,7 +24,7 @@ std::map<std::string, ComparisonRow> byName(const Comparison& comparison) {
 
 /// The background comparison is computed once for all tests.
 const Comparison& fullComparison() {
-  static const Comparison comparison = *compareFully(sideShaftCurve(), {}, {});
+  static const Comparison comparison = *compareFully(studiedCurve(), {}, {});
   return comparison;
 }
 
@@ -123,7 +123,7 @@ TEST(Comparison, fullAddsMinimaxAndTheFineGrid) {
       common.push_back(row);
     }
   }
-  expectSame(common, compareQuick(sideShaftCurve()).rows);
+  expectSame(common, compareQuick(studiedCurve()).rows);
 }
 
 TEST(Comparison, storageBuysAccuracy) {

@@ -34,6 +34,15 @@ const CorrectionCurve& sideShaftCurve() {
   return curve;
 }
 
+const CorrectionCurve& studiedCurve() {
+  static const CorrectionCurve curve = [] {
+    CorrectionCurve copy = sideShaftCurve();
+    copy.resolvableHarmonics = 64;
+    return copy;
+  }();
+  return curve;
+}
+
 CorrectionCurve curveOfWaves(double offsetDeg, const std::vector<Wave>& waves) {
   CorrectionCurve curve;
   curve.method = CurveMethod::Regress;

@@ -15,6 +15,9 @@ std::string angleData(const std::string& name);
 /// The 32 recorded points of tests/data/angle/side_shaft_32.csv, aligned, and the curve through them.
 const AlignedSweep& sideShaftAligned();
 const CorrectionCurve& sideShaftCurve();
+/// The same curve with 64 harmonics to choose from, as in the study that tests/data/angle/side_shaft_32_storage.csv
+/// comes from (32 points resolve 16).
+const CorrectionCurve& studiedCurve();
 
 /// offset + Σ amplitude·cos(order·x + phase), 64 harmonics resolved.
 struct Wave {

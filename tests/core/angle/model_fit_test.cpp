@@ -72,10 +72,10 @@ TEST(ModelFit, ErrorsOfTheSideShaftSweep) {
     ASSERT_TRUE(model) << model.error().message();
     measurePoints(*model, sideShaftAligned());
     const auto& figures = expected[name.text()];
-    EXPECT_NEAR(model->errors.maxCurveDeg, figures["max_error_deg"]["curve"].get<double>(), 1e-9) << name.text();
-    EXPECT_NEAR(model->errors.maxPointsDeg, figures["max_error_deg"]["points"].get<double>(), 1e-9) << name.text();
-    EXPECT_NEAR(model->errors.rmsCurveDeg, figures["rms_error_deg"]["curve"].get<double>(), 1e-9) << name.text();
-    EXPECT_NEAR(model->errors.rmsPointsDeg, figures["rms_error_deg"]["points"].get<double>(), 1e-9) << name.text();
+    EXPECT_NEAR(model->errors.maxCurveDeg, figures["max_curve_deg"].get<double>(), 1e-9) << name.text();
+    EXPECT_NEAR(model->errors.maxPointsDeg, figures["max_points_deg"].get<double>(), 1e-9) << name.text();
+    EXPECT_NEAR(model->errors.rmsCurveDeg, figures["rms_curve_deg"].get<double>(), 1e-9) << name.text();
+    EXPECT_NEAR(model->errors.rmsPointsDeg, figures["rms_points_deg"].get<double>(), 1e-9) << name.text();
   }
 }
 

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 namespace straightedge::angle {
 namespace {
 
@@ -16,6 +18,8 @@ struct Spelling {
   int bytes;
   const char* stem;
 };
+
+void PrintTo(const Spelling& spelling, std::ostream* out) { *out << spelling.text; }
 
 class EverySpelling : public testing::TestWithParam<Spelling> {};
 
@@ -79,6 +83,8 @@ struct Refusal {
   const char* what;
   const char* remedy;
 };
+
+void PrintTo(const Refusal& refusal, std::ostream* out) { *out << refusal.text; }
 
 class EveryRefusal : public testing::TestWithParam<Refusal> {};
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ostream>
 
 namespace straightedge::angle {
 namespace {
@@ -15,6 +16,8 @@ struct Case {
   const char* name;
   int bits;
 };
+
+void PrintTo(const Case& each, std::ostream* out) { *out << each.name << '/' << each.bits; }
 
 class StoredModel : public testing::TestWithParam<Case> {
 protected:

@@ -77,7 +77,7 @@ TEST(Recommendation, leastErrorWithinTheBudget) {
   EXPECT_EQ(found.sentence,
             "harmonic:4 is the most accurate within 64 entries: 0.400° maximum error with 9 entries (36 "
             "bytes); runners-up: linear:17 with 17 entries (68 bytes), 0.450°, lut:64 with 64 entries "
-            "(256 bytes), 1.100°.");
+            "(256 bytes), 1.10°.");
   EXPECT_EQ(recommendForBudget(some(), 8).choice->name.text(), "harmonic:3");
 }
 
@@ -89,7 +89,7 @@ TEST(Recommendation, saysWhatTheSmallestNeedsWhenNothingFits) {
 
 TEST(Recommendation, entriesNeededForTheSideShaftSweep) {
   // Table of an independent study of the same sweep: entries of each method for a maximum error.
-  const Comparison quick = compareQuick(sideShaftCurve());
+  const Comparison quick = compareQuick(studiedCurve());
   const auto entriesOf = [&quick](FitMethod method, double target) {
     Comparison only;
     for (const ComparisonRow& each : quick.rows) {

@@ -10,7 +10,7 @@ straightedge_add_test(NAME core_angle_models
     core/angle/quantisation_test.cpp
     core/angle/comparison_test.cpp
     core/angle/recommendation_test.cpp
-  LIBRARIES straightedge::core nlohmann_json::nlohmann_json
+  LIBRARIES straightedge::core
   LABELS core)
 
 straightedge_add_test(NAME core_angle_data
