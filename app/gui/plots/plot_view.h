@@ -5,10 +5,13 @@
 
 #include <QImage>
 #include <QRectF>
+#include <QStringList>
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 
+class QMenu;
 class QPainter;
 
 namespace straightedge::gui {
@@ -21,7 +24,9 @@ void paintPlot(QPainter& painter, const QRectF& area, const PlotSpec& spec, Plot
 
 /// GUI thread only. Hover shows values of the nearest point; wheel zooms at the cursor; left drag pans, Shift or right
 /// drag zooms to a rectangle; double click, Home key or the menu resets; a click on a legend entry switches its series;
-/// arrow keys step through points, + and − zoom; context menu: copy picture, copy data, save as PNG, SVG or PDF, reset.
+/// arrow keys step through points, Return clicks the one that is marked, + and − zoom, keys 1 to 9 switch the legend's
+/// entries; context menu: copy picture, copy data, save as PNG, SVG or PDF, reset. The wheel over an axis zooms only
+/// it.
 class PlotView : public QWidget {
   Q_OBJECT
 public:
@@ -39,11 +44,26 @@ public:
   void setVisibleRange(const QRectF& range);
   void resetZoom();
 
+  /// Without a value (the default) the widget's palette decides.
+  void setTheme(std::optional<PlotTheme> theme);
+  PlotTheme theme() const;
+  /// A lens beside the pointer that shows its surroundings eight times larger.
+  void setMagnifier(bool on);
+  bool magnifier() const;
+
   QPointF toPixels(double x, double y) const; ///< data -> widget coordinates (for tests and overlays)
   QPointF toData(const QPointF& pixels) const;
 
+  QRectF plotArea() const;                  ///< inside the axes, widget coordinates
+  QRectF legendEntryRect(int series) const; ///< empty where the series has none
+  QStringList hoverText() const;            ///< lines shown beside the marked point; empty when nothing is marked
+  void setSeriesVisible(int series, bool visible);
+
   QImage picture(const QSize& size, double scale) const;
   bool saveAs(const QString& file, QString* problem) const; ///< .png, .svg, .pdf by extension; false with a sentence
+  void copyPicture() const;                                 ///< to the clipboard, in twice the resolution
+  void copyData() const; ///< visible series to the clipboard, as tab-separated text and as CSV
+  QMenu* makeContextMenu(QWidget* parent);
 
 signals:
   void pointHovered(int series, int index); ///< −1, −1 when nothing is near
@@ -61,6 +81,7 @@ protected:
 
 private:
   struct Impl;
+  friend class PlotInteraction;
   std::unique_ptr<Impl> m_impl;
 };
 

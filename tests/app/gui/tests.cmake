@@ -1,4 +1,20 @@
 # Tests of the window: each folder below lists its own. Qt Test or GoogleTest, always on the offscreen platform.
+# straightedge_add_qt_test(NAME gui_plot_view SOURCES … LIBRARIES … LABELS gui): one Qt Test executable, one ctest, on the
+# offscreen platform: no X server, no shared pointer, any number at once.
+function(straightedge_add_qt_test)
+  cmake_parse_arguments(ARG "" "NAME" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  find_package(Qt6 6.4 REQUIRED COMPONENTS Test Widgets)
+  add_executable(${ARG_NAME} ${ARG_SOURCES})
+  set_target_properties(${ARG_NAME} PROPERTIES AUTOMOC ON)
+  target_link_libraries(${ARG_NAME} PRIVATE straightedge::build_flags Qt6::Test Qt6::Widgets ${ARG_LIBRARIES})
+  target_compile_definitions(${ARG_NAME} PRIVATE
+    STRAIGHTEDGE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
+    STRAIGHTEDGE_BINARY_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+  add_test(NAME ${ARG_NAME} COMMAND ${ARG_NAME})
+  set_tests_properties(${ARG_NAME} PROPERTIES
+    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;QT_FATAL_CRITICALS=1" LABELS "${ARG_LABELS}" TIMEOUT 300)
+endfunction()
+
 foreach(room plots figures document jobs shell steps steps_capture steps_fit window)
   if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/app/gui/${room}/tests.cmake)
     include(app/gui/${room}/tests.cmake)
