@@ -80,10 +80,12 @@ void Statement::bind(int parameter, std::string_view value) {
 void Statement::bindNull(int parameter) { sqlite3_bind_null(m_statement.get(), parameter); }
 
 Result<bool> Statement::step() {
+  errno = 0;
   const int code = sqlite3_step(m_statement.get());
   if (code == SQLITE_ROW || code == SQLITE_DONE) {
     return code == SQLITE_ROW;
   }
+  m_database->rememberSystemError(errno);
   return std::unexpected(m_database->lastError());
 }
 
@@ -146,7 +148,9 @@ Result<std::unique_ptr<Database>> Database::open(const std::filesystem::path& fi
 }
 
 Result<void> Database::run(const char* sql) {
+  errno = 0;
   if (sqlite3_exec(m_handle.get(), sql, nullptr, nullptr, nullptr) != SQLITE_OK) {
+    rememberSystemError(errno);
     return std::unexpected(lastError());
   }
   return {};
@@ -198,7 +202,8 @@ Result<void> Database::close() {
 }
 
 Error Database::lastError() const {
-  return errorOf(sqlite3_extended_errcode(m_handle.get()), sqlite3_system_errno(m_handle.get()),
+  const int fromSqlite = sqlite3_system_errno(m_handle.get());
+  return errorOf(sqlite3_extended_errcode(m_handle.get()), fromSqlite != 0 ? fromSqlite : m_systemError,
                  sqlite3_errmsg(m_handle.get()), m_file);
 }
 

@@ -76,10 +76,14 @@ private:
   struct Close {
     void operator()(sqlite3* handle) const;
   };
+  friend class Statement;
   explicit Database(std::filesystem::path file) : m_file(std::move(file)) {}
+  /// SQLite forgets why a write failed in the middle of a commit; a quota or a file-size limit is to be told as such.
+  void rememberSystemError(int error) { m_systemError = error; }
 
   std::filesystem::path m_file;
   std::unique_ptr<sqlite3, Close> m_handle;
+  int m_systemError = 0; ///< errno of the last statement that failed
 };
 
 /// BEGIN IMMEDIATE … COMMIT; rolls back unless committed.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace straightedge::session {
@@ -42,6 +43,21 @@ Result<void> setVersion(Database& database, int version) {
 std::unexpected<Error> damaged(const std::string& how, const std::filesystem::path& file) {
   return fail(ErrorKind::Storage, "the session file is damaged (" + how + ")",
               "use a copy from your backup, or rescue what is readable with: sqlite3 FILE .recover", file.string());
+}
+
+/// SQLite reads a page that is cut short as if it ended in zeros. While there is a log, the file may be shorter.
+Result<void> checkWholePages(Database& database, const std::filesystem::path& file) {
+  const auto mode = database.text("PRAGMA journal_mode");
+  const auto page = database.integer("PRAGMA page_size");
+  if (!mode || !page) {
+    return std::unexpected(!mode ? mode.error() : page.error());
+  }
+  std::error_code problem;
+  const auto size = std::filesystem::file_size(file, problem);
+  if (*mode != "wal" && !problem && *page > 0 && size % static_cast<std::uintmax_t>(*page) != 0) {
+    return damaged("it ends in the middle of a page", file);
+  }
+  return {};
 }
 
 Result<void> checkTables(Database& database, std::int64_t version, const std::filesystem::path& file) {
@@ -112,6 +128,9 @@ Result<void> checkSession(Database& database, const std::filesystem::path& file)
   }
   if (*verdict != "ok") {
     return damaged(verdict->substr(0, verdict->find('\n')), file);
+  }
+  if (auto whole = checkWholePages(database, file); !whole) {
+    return whole;
   }
   return checkTables(database, *version, file);
 }

@@ -36,6 +36,11 @@ Result<void> checkIsFile(const std::filesystem::path& file) {
     return fail(ErrorKind::Input, "the file is empty, not a Straightedge session",
                 "choose another file, or use a copy from your backup", file.string());
   }
+  constexpr std::uintmax_t smallestPage = 512;
+  if (!problem && size < smallestPage) {
+    return fail(ErrorKind::Input, "this is not a Straightedge session, or all but its beginning is missing",
+                "choose a .sedge file, or use a copy from your backup", file.string());
+  }
   return {};
 }
 

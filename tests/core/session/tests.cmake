@@ -1,4 +1,13 @@
 straightedge_add_test(NAME core_session
-  SOURCES core/session/session_test.cpp
+  SOURCES
+    core/session/damage_test.cpp
+    core/session/migration_test.cpp
+    core/session/session_test.cpp
+    core/session/storage_test.cpp
   LIBRARIES straightedge::core
   LABELS core)
+
+straightedge_add_test(NAME core_session_threads
+  SOURCES core/session/angle_sink_test.cpp
+  LIBRARIES straightedge::core
+  LABELS core threads)
