@@ -48,6 +48,7 @@ public:
   /// Commits and checkpoints. A scratch file with content stays and can be opened again ("keep for later"); an empty
   /// one is removed. Where something cannot be written the document stays open.
   Result<void> close();
+  Result<void> abandon(); ///< closes without writing what is pending; the file stays as it is
   Result<void> discard(); ///< closes without writing what is pending; a scratch file is removed
   bool isOpen() const;
   bool isScratch() const;       ///< not saved under a name yet

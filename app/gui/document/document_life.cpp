@@ -122,16 +122,20 @@ Result<void> AngleDocument::close() {
   return closed;
 }
 
+Result<void> AngleDocument::abandon() {
+  m_impl->binding.dropPending();
+  auto closed = m_impl->binding.close();
+  m_impl->reset();
+  return closed;
+}
+
 Result<void> AngleDocument::discard() {
-  if (!isOpen()) {
-    return {};
-  }
   const bool scratch = isScratch();
   const QString former = m_impl->file;
   m_impl->binding.dropPending();
   auto closed = m_impl->binding.close();
   if (scratch) {
-    ScratchFolder::remove(former);
+    ScratchFolder::remove(former); // while its lock is still held
   }
   m_impl->reset();
   return closed;

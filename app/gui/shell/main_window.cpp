@@ -1,0 +1,233 @@
+#include "app/gui/shell/main_window.h"
+
+#include "app/gui/shell/details_dialog.h"
+#include "app/gui/shell/help_window.h"
+#include "app/gui/shell/import_dialog.h"
+#include "app/gui/shell/job_status.h"
+#include "app/gui/shell/line_icon.h"
+#include "app/gui/shell/message_bar.h"
+#include "app/gui/shell/start_page.h"
+#include "app/gui/shell/step_bar.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace straightedge::gui {
+
+MainWindow::MainWindow(std::unique_ptr<WindowPrompts> prompts, QWidget* parent)
+    : QMainWindow(parent), m_prompts(prompts ? std::move(prompts) : std::make_unique<DialogPrompts>()) {
+  setObjectName("mainWindow");
+  setWindowIcon(QIcon(":/icons/straightedge.svg"));
+  setAcceptDrops(true);
+  makePages();
+  makeMenus();
+  statusBar()->addPermanentWidget(new JobStatus(m_jobs, this));
+  statusBar()->setSizeGripEnabled(false);
+  connectDocument();
+  restoreLayout();
+  showStart();
+}
+
+MainWindow::~MainWindow() {
+  // Pages refer to the calibration, the bench and the jobs, which are members and would go first.
+  delete takeCentralWidget();
+  m_bench.disconnect(this);
+  m_document.disconnect(this);
+  m_jobs.disconnect(this);
+}
+
+void MainWindow::makePages() {
+  auto* central = new QWidget(this);
+  auto* rows = new QVBoxLayout(central);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(0);
+  m_messages = new MessageBar(central);
+  rows->addWidget(m_messages);
+  m_outer = new QStackedWidget(central);
+  rows->addWidget(m_outer, 1);
+  setCentralWidget(central);
+
+  m_start = new StartPage(m_recent, m_outer);
+  m_outer->addWidget(m_start);
+  connect(m_start, &StartPage::newCalibration, this, &MainWindow::newCalibration);
+  connect(m_start, &StartPage::openFile, this, &MainWindow::openDialog);
+  connect(m_start, &StartPage::simulatedBench, this, &MainWindow::startSimulatedBench);
+  connect(m_start, &StartPage::openExample, this, &MainWindow::openExample);
+  connect(m_start, &StartPage::openRecent, this, &MainWindow::openFile);
+  connect(m_start, &StartPage::recover, this, &MainWindow::openFile);
+  connect(m_start, &StartPage::deleteUnsaved, this, &MainWindow::deleteUnsaved);
+
+  auto* work = new QWidget(m_outer);
+  auto* columns = new QHBoxLayout(work);
+  columns->setContentsMargins(0, 0, 0, 0);
+  columns->setSpacing(0);
+  m_stepBar = new StepBar(work);
+  m_stepBar->addFoot(makeRailFoot());
+  columns->addWidget(m_stepBar);
+  m_pages = new QStackedWidget(work);
+  columns->addWidget(m_pages, 1);
+  m_outer->addWidget(work);
+  connect(m_stepBar, &StepBar::chosen, this, &MainWindow::goToStep);
+}
+
+QWidget* MainWindow::makeRailFoot() {
+  auto* foot = new QWidget(m_stepBar);
+  auto* layout = new QVBoxLayout(foot);
+  layout->setContentsMargins(8, 0, 8, 0);
+  layout->setSpacing(2);
+  const auto add = [&](const char* icon, const QString& text, const QString& tip, auto action) {
+    auto* button = new QToolButton(foot);
+    button->setAutoRaise(true);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setIcon(lineIcon(icon));
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    connect(button, &QToolButton::clicked, this, action);
+    layout->addWidget(button);
+  };
+  add("details", tr("Details…"), tr("Device, operator, reference instrument and ambient temperature (Ctrl+D)"),
+      &MainWindow::showDetails);
+  add("help", tr("Help"), tr("Help for this step (F1)"), [this] { showHelp({}); });
+  return foot;
+}
+
+void MainWindow::connectDocument() {
+  for (const auto signal : {&AngleDocument::sweepChanged, &AngleDocument::runChanged, &AngleDocument::comparisonChanged,
+                            &AngleDocument::verificationChanged, &AngleDocument::verificationSweepChanged}) {
+    connect(&m_document, signal, this, &MainWindow::updateSteps);
+  }
+  connect(&m_document, &AngleDocument::opened, this, [this] {
+    updateSteps();
+    updateActions();
+  });
+  connect(&m_document, &AngleDocument::titleChanged, this, &MainWindow::updateTitle);
+  connect(&m_document, &AngleDocument::storageFailed, this,
+          [this](const QString& message) { m_messages->showMessage(message, MessageBar::Kind::Problem); });
+  connect(&m_bench, &BenchLink::failed, this,
+          [this](const QString& message) { m_messages->showMessage(message, MessageBar::Kind::Problem); });
+  connect(&m_bench, &BenchLink::connectionChanged, this, &MainWindow::updateSteps);
+  connect(&m_bench, &BenchLink::captureEnded, this, [this] {
+    updateSteps();
+    updateActions();
+  });
+  connect(&m_bench, &BenchLink::progressChanged, this, [this] {
+    // Many times a second: only what changes with the beginning and the end of a capture.
+    if (m_wasCapturing != m_bench.isCapturing()) {
+      m_wasCapturing = m_bench.isCapturing();
+      updateSteps();
+      updateActions();
+      updateTitle();
+    }
+  });
+}
+
+void MainWindow::showStart() {
+  if (m_currentStep >= 0 && m_stepPages[static_cast<std::size_t>(m_currentStep)] != nullptr) {
+    m_stepPages[static_cast<std::size_t>(m_currentStep)]->left();
+  }
+  m_currentStep = -1;
+  m_start->refresh();
+  m_outer->setCurrentIndex(0);
+  updateActions();
+  updateTitle();
+}
+
+StepPage* MainWindow::page(int step) const {
+  return step >= 0 && step < static_cast<int>(stepCount) ? m_stepPages[static_cast<std::size_t>(step)] : nullptr;
+}
+
+void MainWindow::createPage(int step) {
+  const auto index = static_cast<std::size_t>(step);
+  if (m_stepPages[index] != nullptr) {
+    return;
+  }
+  auto* page = stepCatalogue()[index].make({m_document, m_bench, m_jobs}, m_pages);
+  m_stepPages[index] = page;
+  m_pages->addWidget(page);
+  connect(page, &StepPage::availabilityChanged, this, &MainWindow::updateSteps);
+  connect(page, &StepPage::goToStep, this, [this](const QString& title) {
+    if (const int target = stepIndex(title); target >= 0) {
+      goToStep(target);
+    }
+  });
+}
+
+void MainWindow::goToStep(int step) {
+  if (!m_document.isOpen() || step < 0 || step >= static_cast<int>(stepCount)) {
+    return;
+  }
+  const int former = m_currentStep;
+  createPage(step);
+  auto* next = m_stepPages[static_cast<std::size_t>(step)];
+  m_outer->setCurrentIndex(1);
+  m_stepBar->setCurrent(step);
+  if (former != step) {
+    if (auto* page = this->page(former)) {
+      page->left();
+    }
+    m_currentStep = step;
+    m_pages->setCurrentWidget(next);
+    next->entered();
+  }
+  updateSteps();
+  updateActions();
+}
+
+void MainWindow::updateSteps() {
+  for (std::size_t i = 0; i < stepCount; ++i) {
+    StepState state = stepState(i, m_document, m_bench);
+    if (m_stepPages[i] != nullptr && state.progress != StepProgress::Failed) {
+      if (const QString missing = m_stepPages[i]->missing(); !missing.isEmpty()) {
+        state = {StepProgress::Missing, missing};
+      }
+    }
+    m_stepBar->setState(i, state);
+  }
+}
+
+void MainWindow::updateTitle() {
+  if (!m_document.isOpen()) {
+    setWindowTitle(tr("Straightedge"));
+    setWindowModified(false);
+    setWindowFilePath({});
+    return;
+  }
+  const QString readOnly = m_document.isReadOnly() ? tr(" (read-only)") : QString();
+  setWindowTitle(tr("%1[*]%2 — Straightedge").arg(m_document.displayName(), readOnly));
+  setWindowModified(m_document.isScratch() ? m_document.hasContent() : m_document.hasUnsavedState());
+}
+
+void MainWindow::complain(const Error& error) {
+  m_messages->showMessage(QString::fromStdString(error.message()), MessageBar::Kind::Problem);
+}
+
+void MainWindow::tell(const QString& text) { statusBar()->showMessage(text, 6000); }
+
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::ActivationChange && isActiveWindow() && m_currentStep < 0 && m_start != nullptr) {
+    m_start->refresh(); // files may have come or gone meanwhile
+  }
+}
+
+void MainWindow::restoreLayout() {
+  const QSettings settings;
+  if (!restoreGeometry(settings.value("geometry").toByteArray())) {
+    resize(1240, 780);
+  }
+}
+
+void MainWindow::saveLayout() const {
+  QSettings settings;
+  settings.setValue("geometry", saveGeometry());
+}
+
+} // namespace straightedge::gui

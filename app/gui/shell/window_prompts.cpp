@@ -1,0 +1,89 @@
+#include "app/gui/shell/window_prompts.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace straightedge::gui {
+
+namespace {
+
+QString say(const char* text) { return QCoreApplication::translate("WindowPrompts", text); }
+
+/// Two answers, the harmless one as default and on Escape.
+bool confirm(QWidget* parent, const QString& question, const QString& detail, const QString& yes) {
+  QMessageBox box(QMessageBox::Warning, say("Straightedge"), question, QMessageBox::NoButton, parent);
+  box.setInformativeText(detail);
+  auto* go = box.addButton(yes, QMessageBox::DestructiveRole);
+  auto* cancel = box.addButton(QMessageBox::Cancel);
+  box.setDefaultButton(cancel);
+  box.setEscapeButton(cancel);
+  box.exec();
+  return box.clickedButton() == go;
+}
+
+} // namespace
+
+WindowPrompts::CloseAnswer DialogPrompts::askClose(QWidget* parent) {
+  QMessageBox box(QMessageBox::Question, say("Straightedge"), say("Save this calibration under a name?"),
+                  QMessageBox::NoButton, parent);
+  box.setInformativeText(
+      say("It can also be kept as it is: the start page then offers it under “Unsaved calibrations”."));
+  auto* save = box.addButton(say("&Save…"), QMessageBox::AcceptRole);
+  auto* keep = box.addButton(say("&Keep for later"), QMessageBox::AcceptRole);
+  auto* discard = box.addButton(say("&Discard"), QMessageBox::DestructiveRole);
+  auto* cancel = box.addButton(QMessageBox::Cancel);
+  box.setDefaultButton(save);
+  box.setEscapeButton(cancel);
+  box.exec();
+  const auto* clicked = box.clickedButton();
+  if (clicked == save) {
+    return CloseAnswer::Save;
+  }
+  if (clicked == keep) {
+    return CloseAnswer::KeepForLater;
+  }
+  if (clicked == discard && confirm(parent, say("Discard this calibration for good?"),
+                                    say("Its samples and choices are deleted."), say("&Discard"))) {
+    return CloseAnswer::Discard;
+  }
+  return CloseAnswer::Cancel;
+}
+
+bool DialogPrompts::confirmStopCapture(QWidget* parent) {
+  return confirm(parent, say("A capture is running. Stop it?"),
+                 say("What was captured so far stays in the session, and the sweep can be resumed."),
+                 say("&Stop capture"));
+}
+
+bool DialogPrompts::confirmLoss(QWidget* parent, const QString& problem) {
+  return confirm(parent, say("The last changes cannot be written. Close all the same?"), problem,
+                 say("Close and &lose them"));
+}
+
+bool DialogPrompts::confirmDelete(QWidget* parent, const QString& what) {
+  return confirm(parent, say("Delete this unsaved calibration?"), what, say("&Delete"));
+}
+
+QString DialogPrompts::askOpenFile(QWidget* parent, const QString& folder) {
+  return QFileDialog::getOpenFileName(parent, say("Open"), folder,
+                                      say("Calibrations and sweeps (*.sedge *.csv *.tsv *.txt);;"
+                                          "Calibrations (*.sedge);;Sweeps (*.csv *.tsv *.txt);;All files (*)"));
+}
+
+QString DialogPrompts::askSaveFile(QWidget* parent, const QString& suggestion) {
+  // Not getSaveFileName(): the suffix must be there before the dialogue asks about overwriting.
+  QFileDialog dialog(parent, say("Save calibration as"), suggestion, say("Calibrations (*.sedge)"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix("sedge");
+  dialog.selectFile(suggestion);
+  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+QString DialogPrompts::askCsvFile(QWidget* parent, const QString& folder) {
+  return QFileDialog::getOpenFileName(parent, say("Import sweep"), folder,
+                                      say("Sweeps (*.csv *.tsv *.txt);;All files (*)"));
+}
+
+} // namespace straightedge::gui
