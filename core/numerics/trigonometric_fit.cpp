@@ -165,6 +165,9 @@ CrossValidation crossValidate(const NormalEquations& sums, const Eigen::MatrixXd
       betweenGroups += square;
       leftOut += weight * weight * square;
     }
+    if (harmonics > 0 && !std::isfinite(leftOut)) {
+      break; // some group alone holds up a coefficient: the others do not determine it
+    }
     // What remains inside the groups is not touched by leaving them out.
     const double insideGroups = repeats ? std::max(0.0, sums.squares - explained - betweenGroups) : 0.0;
     result.rms.push_back(std::sqrt((leftOut + insideGroups) / count));

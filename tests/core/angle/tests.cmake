@@ -20,5 +20,7 @@ straightedge_add_test(NAME core_angle_data
     core/angle/curve_test.cpp
     core/angle/refusals_test.cpp
     core/angle/repeatability_test.cpp
+    core/angle/uncertainty_test.cpp
+    core/angle/verification_test.cpp
   LIBRARIES straightedge::core
   LABELS core)
