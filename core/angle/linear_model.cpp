@@ -135,7 +135,7 @@ void evaluateLinear(std::span<const double> valuesDeg, double* out, int count) {
 double linearAt(std::span<const double> valuesDeg, double readingDeg) {
   const std::size_t size = valuesDeg.size();
   const double position = readingDeg * static_cast<double>(size) / 360.0;
-  // Just below 360° the product may round up to the size itself: the last segment's end is the same point.
+  // Should the quotient just below 360° round up to the size: the end of the last segment is the same point.
   const std::size_t k = std::min(static_cast<std::size_t>(position), size - 1);
   const double value = valuesDeg[k];
   const double next = valuesDeg[k + 1 == size ? 0 : k + 1];

@@ -64,7 +64,7 @@ void evaluateLookupTable(std::span<const double> valuesDeg, double* out, int cou
 double lookupTableAt(std::span<const double> valuesDeg, double readingDeg) {
   const std::size_t size = valuesDeg.size();
   const auto bin = static_cast<std::size_t>(readingDeg * static_cast<double>(size) / 360.0);
-  return valuesDeg[std::min(bin, size - 1)]; // just below 360° the quotient may round up to the size itself
+  return valuesDeg[std::min(bin, size - 1)]; // should the quotient just below 360° round up to the size
 }
 
 } // namespace straightedge::angle

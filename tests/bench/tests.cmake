@@ -1,0 +1,16 @@
+# Google Benchmark: built with -DSTRAIGHTEDGE_BENCHMARKS=ON, run by hand (release), never part of ctest.
+if(STRAIGHTEDGE_BENCHMARKS)
+  find_package(benchmark 1.7 REQUIRED)
+
+  # straightedge_add_bench(NAME bench_angle_models SOURCES … LIBRARIES …): an executable per pair of files measured.
+  function(straightedge_add_bench)
+    cmake_parse_arguments(ARG "" "NAME" "SOURCES;LIBRARIES" ${ARGN})
+    add_executable(${ARG_NAME} ${ARG_SOURCES})
+    target_link_libraries(${ARG_NAME} PRIVATE straightedge::build_flags benchmark::benchmark ${ARG_LIBRARIES})
+    target_compile_definitions(${ARG_NAME} PRIVATE STRAIGHTEDGE_TEST_DATA="${CMAKE_CURRENT_SOURCE_DIR}/data")
+  endfunction()
+
+  straightedge_add_bench(NAME bench_angle_models
+    SOURCES bench/angle_models_bench.cpp
+    LIBRARIES straightedge::core)
+endif()
