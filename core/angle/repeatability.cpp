@@ -4,6 +4,7 @@
 #include "core/numerics/statistics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -49,8 +50,8 @@ std::vector<Cell> cellsOf(const AlignedSweep& aligned, const EncoderGroups& grou
 
 /// Rising and falling error at one encoder angle: the turns' means, and how many there are.
 struct Directions {
-  double sum[2] = {0.0, 0.0};
-  std::size_t turns[2] = {0, 0};
+  std::array<double, 2> sum{};
+  std::array<std::size_t, 2> turns{};
   bool both() const { return turns[0] > 0 && turns[1] > 0; }
   double mean(std::size_t side) const { return sum[side] / static_cast<double>(turns[side]); }
 };
