@@ -89,6 +89,10 @@ void AngleCapture::pause() {
 void AngleCapture::resume() {
   const std::scoped_lock lock(m_impl->shared.mutex);
   m_impl->shared.pauseRequested = false;
+  if (m_impl->shared.progress.state == CaptureState::Paused) { // at once: whoever waits now waits for what follows
+    m_impl->shared.progress.state = CaptureState::Running;
+    m_impl->shared.progress.error.reset();
+  }
   m_impl->shared.changed.notify_all();
 }
 
@@ -109,10 +113,13 @@ void AngleCapture::waitUntilDone() {
   {
     std::unique_lock lock(m_impl->shared.mutex);
     const CaptureProgress& now = m_impl->shared.progress;
-    m_impl->shared.changed.wait(lock, [&now] {
-      return now.state != CaptureState::Running && !(now.state == CaptureState::Paused && !now.error);
+    const auto pausedByFault = [this, &now] {
+      return now.state == CaptureState::Paused && now.error && !m_impl->thread.get_stop_token().stop_requested();
+    };
+    m_impl->shared.changed.wait(lock, [&] {
+      return (now.state != CaptureState::Running && now.state != CaptureState::Paused) || pausedByFault();
     });
-    if (now.state == CaptureState::Paused) {
+    if (pausedByFault()) {
       return;
     }
   }

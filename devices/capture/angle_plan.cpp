@@ -22,12 +22,20 @@ constexpr double farthestStartDeg = 360000.0;
 constexpr double slowestRateHz = 1.0;
 constexpr double fastestRateHz = 1e6;
 
+/// Whole numbers as such: 1000000, not 1e+06.
+std::string shown(double value) {
+  constexpr double largestShownWhole = 1e9;
+  return value == std::trunc(value) && std::abs(value) < largestShownWhole
+             ? std::to_string(static_cast<long long>(value))
+             : formatDouble(value);
+}
+
 Result<void> inRange(const char* name, double value, double low, double high, const char* unit) {
   if (value >= low && value <= high) { // false for NaN
     return {};
   }
-  return fail(ErrorKind::Usage, std::string(name) + " is " + formatDouble(value) + unit,
-              "give " + formatDouble(low) + " to " + formatDouble(high) + unit, "capture plan");
+  return fail(ErrorKind::Usage, std::string(name) + " is " + shown(value) + unit,
+              "give " + shown(low) + " to " + shown(high) + unit, "capture plan");
 }
 
 } // namespace

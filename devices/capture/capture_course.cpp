@@ -52,7 +52,7 @@ bool CaptureCourse::passedToItsEnd(const State& state) const {
   if (state.readings < 2) {
     return false;
   }
-  const double reach = 1.5 * (state.farthestDeg - state.nearestDeg) / (state.readings - 1);
+  const double reach = 1.2 * (state.farthestDeg - state.nearestDeg) / (state.readings - 1);
   return state.nearestDeg <= reach && stepDeg() - state.farthestDeg <= reach;
 }
 

@@ -1,5 +1,19 @@
+straightedge_add_test(NAME devices_simulated
+  SOURCES devices/angle_plan_test.cpp devices/closed_loop_test.cpp devices/simulated_bench_test.cpp
+  LIBRARIES straightedge::devices
+  LABELS devices)
+
 straightedge_add_test(NAME devices_capture
-  SOURCES devices/capture_test.cpp
+  SOURCES devices/capture_control_test.cpp devices/capture_test.cpp
   LIBRARIES straightedge::devices
   LABELS devices threads)
+
+add_executable(kill_child devices/kill_child.cpp)
+target_link_libraries(kill_child PRIVATE straightedge::devices)
+straightedge_add_test(NAME devices_kill
+  SOURCES devices/kill_test.cpp
+  LIBRARIES straightedge::devices
+  LABELS devices)
+add_dependencies(devices_kill kill_child)
+
 include(app/cli/capture.cmake)
