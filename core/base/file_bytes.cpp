@@ -1,60 +1,16 @@
 #include "core/base/file_bytes.h"
 
-#include <array>
-#include <cerrno>
+#include "core/base/input_file.h"
+
+#include <algorithm>
 #include <cstddef>
-#include <cstring>
-#include <fcntl.h>
-#include <string_view>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace straightedge {
 
 namespace {
 
 constexpr std::size_t longestInput = std::size_t{2} << 30U;
-
-/// Closes on leaving; standard input stays open.
-class ReadOnlyFile {
-public:
-  explicit ReadOnlyFile(const std::string& path)
-      : m_descriptor(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
-  ~ReadOnlyFile() {
-    if (m_descriptor > STDIN_FILENO) {
-      ::close(m_descriptor);
-    }
-  }
-  ReadOnlyFile(const ReadOnlyFile&) = delete;
-  ReadOnlyFile& operator=(const ReadOnlyFile&) = delete;
-  int descriptor() const { return m_descriptor; }
-
-private:
-  int m_descriptor;
-};
-
-std::unexpected<Error> openFailed(const std::string& path, int code) {
-  switch (code) {
-  case ENOENT:
-  case ENOTDIR:
-    return fail(ErrorKind::Input, "the file does not exist", "check the name and the folder", inputName(path));
-  case EACCES:
-  case EPERM:
-    return fail(ErrorKind::Input, "reading the file is not permitted", "ask for read access or copy the file",
-                inputName(path));
-  default:
-    return fail(ErrorKind::Input, std::string("the file cannot be opened: ") + std::strerror(code),
-                "check the name and the disk", inputName(path));
-  }
-}
-
-std::unexpected<Error> readFailed(const std::string& path, int code) {
-  if (code == EISDIR) {
-    return fail(ErrorKind::Input, "this is a folder, not a file", "name a file inside it", inputName(path));
-  }
-  return fail(ErrorKind::Input, std::string("reading stopped: ") + std::strerror(code),
-              "check the disk or the program that writes into the pipe", inputName(path));
-}
+constexpr std::size_t pipeBlock = 65536;
 
 } // namespace
 
@@ -69,30 +25,28 @@ std::string inputFileName(const std::string& path) {
 }
 
 Result<std::string> readFileBytes(const std::string& path) {
-  const ReadOnlyFile file(path);
-  if (file.descriptor() < 0) {
-    return openFailed(path, errno);
+  auto file = InputFile::open(path);
+  if (!file) {
+    return std::unexpected(std::move(file.error()));
   }
   std::string bytes;
-  struct stat status{};
-  if (::fstat(file.descriptor(), &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0 &&
-      static_cast<std::size_t>(status.st_size) <= longestInput) {
-    bytes.reserve(static_cast<std::size_t>(status.st_size) + 1);
-  }
-  std::array<char, 65536> block; // NOLINT(cppcoreguidelines-pro-type-member-init): filled by read()
+  std::size_t used = 0;
+  std::size_t room = std::min(file->sizeIfKnown() + 1, longestInput); // one more, to see the end without growing
   while (true) {
-    const ssize_t count = ::read(file.descriptor(), block.data(), block.size());
-    if (count < 0 && errno == EINTR) {
-      continue;
+    if (used == bytes.size()) {
+      bytes.resize(used + std::max(room, pipeBlock));
+      room = used;
     }
-    if (count < 0) {
-      return readFailed(path, errno);
+    const auto count = file->read(bytes.data() + used, bytes.size() - used);
+    if (!count) {
+      return std::unexpected(count.error());
     }
-    if (count == 0) {
+    used += *count;
+    if (*count == 0) {
+      bytes.resize(used);
       return bytes;
     }
-    bytes.append(block.data(), static_cast<std::size_t>(count));
-    if (bytes.size() > longestInput) {
+    if (used > longestInput) {
       return fail(ErrorKind::Input, "the input is longer than 2 GiB", "split it into smaller files", inputName(path));
     }
   }

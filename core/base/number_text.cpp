@@ -28,10 +28,11 @@ std::string_view withoutPlus(std::string_view text) {
 } // namespace
 
 std::string formatDouble(double value) {
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return {buffer.data(), end.ptr};
+  std::array<char, longestDoubleText> buffer{};
+  return {buffer.data(), formatDouble(value, buffer.data())};
 }
+
+char* formatDouble(double value, char* out) { return std::to_chars(out, out + longestDoubleText, value).ptr; }
 
 std::string formatForPeople(double value, int digits) {
   std::array<char, 64> buffer{};

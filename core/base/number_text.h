@@ -10,6 +10,11 @@ namespace straightedge {
 /// Shortest decimal text that reads back to exactly `value`; "nan", "inf", "-inf" where it is not finite.
 std::string formatDouble(double value);
 
+/// The same without allocation, for long tables: writes to `out`, which has room for longestDoubleText characters, and
+/// gives the end.
+inline constexpr int longestDoubleText = 32;
+char* formatDouble(double value, char* out);
+
 /// `value` with `digits` significant digits for people (messages, labels), never in a file that is read back.
 std::string formatForPeople(double value, int digits = 4);
 

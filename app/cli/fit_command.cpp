@@ -1,0 +1,117 @@
+#include "app/cli/fit_command.h"
+
+#include "app/cli/messages.h"
+#include "app/cli/options.h"
+#include "app/cli/render_program.h"
+#include "app/cli/scratch_folder.h"
+#include "app/cli/summary_table.h"
+#include "core/angle/sweep_csv.h"
+#include "core/base/file_output.h"
+#include "core/base/time_stamp.h"
+#include "core/export/calibration_json.h"
+#include "core/export/tables.h"
+
+#include <memory>
+
+namespace straightedge::cli {
+
+namespace {
+
+struct FitOptions {
+  std::string sweep, out;
+  ModelOptions models;
+  TraceabilityOptions traceability;
+  bool plots = false;
+  bool report = false;
+};
+
+/// calibration.json last: where it is, the tables are complete.
+Result<void> writeResults(const angle::AngleCalibration& calibration, const std::string& out) {
+  for (const angle::Model& model : calibration.models) {
+    if (auto written =
+            writeFileWhole(out + "/" + exporting::modelTableFileName(model), exporting::modelTableCsv(model));
+        !written) {
+      return written;
+    }
+  }
+  return writeFileWhole(out + "/calibration.json", exporting::calibrationToJson(calibration));
+}
+
+Result<void> draw(const FitOptions& options, const angle::Sweep& sweep) {
+  RenderRequest request{options.out + "/calibration.json", options.out, options.sweep, options.plots, options.report};
+  if (options.sweep != "-") {
+    return renderWithoutDisplay(request);
+  }
+  // Standard input can be read only once: the drawing program gets the rows as a file.
+  const auto scratch = ScratchFolder::create();
+  if (!scratch) {
+    return std::unexpected(scratch.error());
+  }
+  request.sweep = scratch->file("sweep.csv");
+  if (auto written = writeFileWhole(*request.sweep, angle::sweepToCsv(sweep)); !written) {
+    return written;
+  }
+  return renderWithoutDisplay(request);
+}
+
+std::string listOfFiles(const angle::AngleCalibration& calibration) {
+  std::string files = "calibration.json";
+  for (const angle::Model& model : calibration.models) {
+    files += ", " + exporting::modelTableFileName(model);
+  }
+  return files;
+}
+
+Result<int> fit(const FitOptions& options) {
+  auto calibrationOptions = calibrationOptionsFrom(options.models);
+  if (!calibrationOptions) {
+    return std::unexpected(calibrationOptions.error());
+  }
+  const auto traceability = traceabilityFrom(options.traceability);
+  if (!traceability) {
+    return std::unexpected(traceability.error());
+  }
+  const auto sweep = angle::readSweepCsv(options.sweep);
+  if (!sweep) {
+    return std::unexpected(sweep.error());
+  }
+  auto run = angle::calibrate(*sweep, *calibrationOptions, *traceability);
+  if (!run) {
+    return std::unexpected(withPath(run.error(), sweep->source.file, options.sweep));
+  }
+  run->result.created = timeStampNow();
+  for (const angle::Warning& warning : run->result.warnings) {
+    printWarning(warning.text);
+  }
+  if (auto made = makeFolder(options.out); !made) {
+    return std::unexpected(made.error());
+  }
+  if (auto written = writeResults(run->result, options.out); !written) {
+    return std::unexpected(written.error());
+  }
+  print(summaryOf(run->result));
+  print("Written to " + options.out + ": " + listOfFiles(run->result) + "\n");
+  if (options.plots || options.report) {
+    if (auto drawn = draw(options, *sweep); !drawn) {
+      return std::unexpected(drawn.error());
+    }
+  }
+  return 0;
+}
+
+} // namespace
+
+void addFitCommand(CLI::App& parent, Work& work) {
+  auto options = std::make_shared<FitOptions>();
+  CLI::App* command =
+      parent.add_subcommand("fit", "Fit models to a sweep; writes calibration.json and a table per model");
+  command->add_option("SWEEP.csv", options->sweep, "Recorded sweep, - for standard input")->required();
+  addOutputFolderOption(*command, options->out);
+  addModelOptions(*command, options->models);
+  command->add_flag("--plots", options->plots, "Also draw the plots (PNG, SVG, PDF)");
+  command->add_flag("--report", options->report, "Also write the report");
+  addTraceabilityOptions(*command, options->traceability, true);
+  command->callback([options, &work] { work = [options] { return fit(*options); }; });
+}
+
+} // namespace straightedge::cli

@@ -1,0 +1,125 @@
+#include "app/cli/verify_command.h"
+
+#include "app/cli/messages.h"
+#include "app/cli/options.h"
+#include "core/angle/sweep_csv.h"
+#include "core/angle/verification.h"
+#include "core/base/json_writer.h"
+#include "core/base/number_text.h"
+#include "core/export/calibration_json.h"
+
+#include <memory>
+
+namespace straightedge::cli {
+
+namespace {
+
+struct VerifyOptions {
+  std::string calibration, sweep, model, limit;
+  bool json = false;
+};
+
+const char* verdictWord(angle::Verdict verdict) {
+  switch (verdict) {
+  case angle::Verdict::Pass:
+    return "pass";
+  case angle::Verdict::Fail:
+    return "fail";
+  case angle::Verdict::PassWithinUncertainty:
+    return "pass-within-uncertainty";
+  case angle::Verdict::FailWithinUncertainty:
+    return "fail-within-uncertainty";
+  }
+  return "fail";
+}
+
+std::string asJson(const angle::VerificationReport& report, const angle::AngleCalibration& calibration,
+                   const angle::Sweep& sweep) {
+  JsonWriter json;
+  json.beginObject();
+  json.member("met", report.met);
+  json.member("verdict", verdictWord(report.verdict));
+  json.member("model", report.model);
+  json.member("limit_deg", report.limitDeg);
+  json.member("max_error_deg", report.maxErrorDeg);
+  json.member("rms_error_deg", report.rmsErrorDeg);
+  json.member("max_error_before_deg", report.maxErrorBeforeDeg);
+  json.member("rms_error_before_deg", report.rmsErrorBeforeDeg);
+  json.member("points", report.points);
+  json.key("expanded_uncertainty_deg");
+  if (report.expandedUncertaintyDeg > 0.0) {
+    json.value(report.expandedUncertaintyDeg);
+  } else {
+    json.null();
+  }
+  json.member("decision_rule", report.decisionRule);
+  json.openObject("source", true);
+  json.member("file", sweep.source.file);
+  json.member("sha256", sweep.source.sha256);
+  json.member("points", sweep.source.points);
+  json.endObject();
+  json.openObject("device", true);
+  json.member("serial", calibration.traceability.deviceSerial);
+  json.member("model", calibration.traceability.deviceModel);
+  json.endObject();
+  json.endObject();
+  return json.take();
+}
+
+std::string degrees(double value) { return formatForPeople(value, 4) + "°"; }
+
+std::string asText(const angle::VerificationReport& report) {
+  return std::string(report.met ? "PASS" : "FAIL") + ": " + report.model + " over " + std::to_string(report.points) +
+         " points: " + degrees(report.maxErrorDeg) + " maximum error, " + degrees(report.rmsErrorDeg) + " rms; limit " +
+         degrees(report.limitDeg) + "\nBefore correction: " + degrees(report.maxErrorBeforeDeg) + " maximum, " +
+         degrees(report.rmsErrorBeforeDeg) + " rms\n" + report.decisionRule + "\n";
+}
+
+Result<int> verifySweep(const VerifyOptions& options) {
+  constexpr double smallestLimit = 1e-9;
+  constexpr double largestLimit = 180.0;
+  const auto limit = optionNumber("--limit", options.limit, smallestLimit, largestLimit, "0.5");
+  if (!limit) {
+    return std::unexpected(limit.error());
+  }
+  if (options.calibration == "-" && options.sweep == "-") {
+    return fail(ErrorKind::Usage, "calibration and sweep cannot both come from standard input", "name one as a file");
+  }
+  const auto calibration = exporting::readCalibration(options.calibration);
+  if (!calibration) {
+    return std::unexpected(calibration.error());
+  }
+  const auto model = exporting::findModel(*calibration, options.model, options.calibration);
+  if (!model) {
+    return std::unexpected(model.error());
+  }
+  const auto sweep = angle::readSweepCsv(options.sweep);
+  if (!sweep) {
+    return std::unexpected(sweep.error());
+  }
+  const auto report = angle::verify(*calibration, **model, *sweep, *limit);
+  if (!report) {
+    return std::unexpected(withPath(report.error(), sweep->source.file, options.sweep));
+  }
+  print(options.json ? asJson(*report, *calibration, *sweep) : asText(*report));
+  return report->met ? 0 : 1;
+}
+
+} // namespace
+
+void addVerifyCommand(CLI::App& parent, Work& work) {
+  auto options = std::make_shared<VerifyOptions>();
+  CLI::App* command =
+      parent.add_subcommand("verify", "Check a fresh sweep against a limit: exit code 0 if met, 1 if not");
+  command->add_option("CALIBRATION.json", options->calibration, "Calibration, - for standard input")->required();
+  command->add_option("SWEEP.csv", options->sweep, "Fresh sweep, - for standard input")->required();
+  command->add_option("--model", options->model, "Model to verify; without it the first one in the file")
+      ->type_name("MODEL");
+  command->add_option("--limit", options->limit, "Largest error allowed after correction")
+      ->type_name("DEG")
+      ->required();
+  command->add_flag("--json", options->json, "Print one JSON object");
+  command->callback([options, &work] { work = [options] { return verifySweep(*options); }; });
+}
+
+} // namespace straightedge::cli
