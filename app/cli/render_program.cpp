@@ -144,7 +144,7 @@ Result<void> renderWithoutDisplay(const RenderRequest& request) {
     how += " (" + line + ")";
   }
   return fail(ErrorKind::Storage, "drawing plots or the report " + how,
-              "the calibration itself is written; try straightedge --render by hand", *program);
+              "everything else is written; try straightedge --render by hand", *program);
 }
 
 } // namespace straightedge::cli

@@ -13,4 +13,11 @@ if(STRAIGHTEDGE_BENCHMARKS)
   straightedge_add_bench(NAME bench_angle_models
     SOURCES bench/angle_models_bench.cpp
     LIBRARIES straightedge::core)
+
+  straightedge_add_bench(NAME bench_apply
+    SOURCES bench/apply_bench.cpp bench/readings.cpp
+    LIBRARIES straightedge::cli_commands)
+  straightedge_add_bench(NAME bench_batch
+    SOURCES bench/batch_bench.cpp bench/readings.cpp
+    LIBRARIES straightedge::cli_commands)
 endif()

@@ -102,13 +102,13 @@ TEST(FitCommand, WithoutTheDesktopApplicationPlotsSaySo) {
   const TemporaryFolder folder;
   const std::string alone = folder.file("straightedge-cli");
   std::filesystem::copy_file(STRAIGHTEDGE_BINARY_DIR "/straightedge-cli", alone);
-  const auto run =
-      runCli({"angle", "fit", sideShaft, "--out", folder.file("out"), "--plots"}, "", alone, {"PATH=" + folder.path()});
+  const auto run = runCli({"angle", "fit", sideShaft, "--out", folder.file("out"), "--plots", "--model", "harmonic:4"},
+                          "", alone, {"PATH=" + folder.path()});
   EXPECT_EQ(run.code, 5);
   EXPECT_EQ(run.err, "straightedge-cli: the program straightedge, which draws plots and reports, is neither beside "
                      "straightedge-cli nor on PATH; install the desktop application, or leave out --plots and "
                      "--report\n");
-  EXPECT_EQ(folder.listing("out"), "calibration.json harmonic-4.csv linear-32.csv lut-64.csv");
+  EXPECT_EQ(folder.listing("out"), "calibration.json harmonic-4.csv");
 }
 
 /// A stand-in for the desktop application that notes how it was called.
@@ -133,10 +133,11 @@ TEST(FitCommand, PlotsAndReportComeFromTheDesktopApplicationWithoutDisplay) {
 TEST(FitCommand, FailedDrawingIsOneLine) {
   const TemporaryFolder folder;
   const std::string program = withStandIn(folder, "echo; echo no font >&2; echo more >&2; exit 3");
-  const auto run = runCli({"angle", "fit", sideShaft, "--out", folder.file("out"), "--report"}, "", program);
+  const auto run = runCli({"angle", "fit", sideShaft, "--out", folder.file("out"), "--report", "--model", "harmonic:4"},
+                          "", program);
   EXPECT_EQ(run.code, 5);
   EXPECT_EQ(run.err, "straightedge-cli: " + folder.file("straightedge") +
-                         ": drawing plots or the report ended with code 3 (no font); the calibration itself is "
+                         ": drawing plots or the report ended with code 3 (no font); everything else is "
                          "written; try straightedge --render by hand\n");
 }
 

@@ -1,6 +1,7 @@
 # The real program as a child process.
 straightedge_add_test(NAME cli
-  SOURCES app/cli/child_process.cpp app/cli/exit_code_test.cpp app/cli/fit_command_test.cpp
+  SOURCES app/cli/apply_command_test.cpp app/cli/batch_command_test.cpp app/cli/child_process.cpp
+    app/cli/compare_export_test.cpp app/cli/exit_code_test.cpp app/cli/fit_command_test.cpp
   LIBRARIES straightedge::core nlohmann_json::nlohmann_json
   LABELS cli)
 add_dependencies(cli straightedge-cli)
