@@ -405,7 +405,10 @@ CaptureWorker::Step<void> CaptureWorker::commit() {
 }
 
 double CaptureWorker::sampleTimeS(double benchTimeS) const {
-  return m_course.timeOffsetS + benchTimeS - m_startS.value_or(benchTimeS);
+  // Clocks of benches are not better than this, and the digits beyond would fill files.
+  constexpr double ticksPerS = 1e7;
+  const double sinceStart = benchTimeS - m_startS.value_or(benchTimeS);
+  return std::round((m_course.timeOffsetS + sinceStart) * ticksPerS) / ticksPerS;
 }
 
 void CaptureWorker::publishProgress() {

@@ -20,4 +20,8 @@ if(STRAIGHTEDGE_BENCHMARKS)
   straightedge_add_bench(NAME bench_batch
     SOURCES bench/batch_bench.cpp bench/readings.cpp
     LIBRARIES straightedge::cli_commands)
+
+  straightedge_add_bench(NAME bench_capture_session
+    SOURCES bench/capture_session_bench.cpp
+    LIBRARIES straightedge::core straightedge::devices)
 endif()
