@@ -1,6 +1,7 @@
 #include "app/cli/batch_run.h"
 
 #include "app/cli/messages.h"
+#include "app/cli/sweep_input.h"
 #include "core/angle/sweep_csv.h"
 #include "core/base/csv_table.h"
 #include "core/base/file_output.h"
@@ -41,11 +42,12 @@ BatchOutcome rejected(const BatchInput& input, Error error) {
 }
 
 BatchOutcome calibrateOne(const BatchInput& input, const BatchOptions& options) {
-  const auto sweep = angle::readSweepCsv(input.path);
-  if (!sweep) {
-    return rejected(input, sweep.error());
+  const auto loaded = loadSweep(input.path, session::SweepRole::Calibration);
+  if (!loaded) {
+    return rejected(input, loaded.error());
   }
-  auto run = angle::calibrate(*sweep, options.calibration, options.traceability);
+  const angle::Sweep* sweep = &loaded->sweep;
+  auto run = angle::calibrate(*sweep, options.calibration, completed(options.traceability, loaded->traceability));
   if (!run) {
     return rejected(input, withPath(run.error(), sweep->source.file, input.path));
   }

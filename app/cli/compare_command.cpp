@@ -4,6 +4,7 @@
 #include "app/cli/options.h"
 #include "app/cli/render_program.h"
 #include "app/cli/scratch_folder.h"
+#include "app/cli/sweep_input.h"
 #include "core/angle/calibration.h"
 #include "core/angle/comparison.h"
 #include "core/angle/model_limits.h"
@@ -111,10 +112,11 @@ Result<int> compare(const CompareOptions& options) {
     return std::unexpected(demands.error());
   }
   const auto calibrationOptions = calibrationOptionsFrom({{}, options.curve});
-  const auto sweep = angle::readSweepCsv(options.sweep);
-  if (!sweep) {
-    return std::unexpected(sweep.error());
+  const auto loaded = loadSweep(options.sweep, session::SweepRole::Calibration);
+  if (!loaded) {
+    return std::unexpected(loaded.error());
   }
+  const angle::Sweep* sweep = &loaded->sweep;
   const auto aligned = angle::alignSweep(*sweep);
   if (!aligned) {
     return std::unexpected(withPath(aligned.error(), sweep->source.file, options.sweep));

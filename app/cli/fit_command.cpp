@@ -5,6 +5,7 @@
 #include "app/cli/render_program.h"
 #include "app/cli/scratch_folder.h"
 #include "app/cli/summary_table.h"
+#include "app/cli/sweep_input.h"
 #include "core/angle/sweep_csv.h"
 #include "core/base/file_output.h"
 #include "core/base/time_stamp.h"
@@ -71,11 +72,12 @@ Result<int> fit(const FitOptions& options) {
   if (!traceability) {
     return std::unexpected(traceability.error());
   }
-  const auto sweep = angle::readSweepCsv(options.sweep);
-  if (!sweep) {
-    return std::unexpected(sweep.error());
+  const auto loaded = loadSweep(options.sweep, session::SweepRole::Calibration);
+  if (!loaded) {
+    return std::unexpected(loaded.error());
   }
-  auto run = angle::calibrate(*sweep, *calibrationOptions, *traceability);
+  const angle::Sweep* sweep = &loaded->sweep;
+  auto run = angle::calibrate(*sweep, *calibrationOptions, completed(*traceability, loaded->traceability));
   if (!run) {
     return std::unexpected(withPath(run.error(), sweep->source.file, options.sweep));
   }

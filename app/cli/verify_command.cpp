@@ -2,6 +2,7 @@
 
 #include "app/cli/messages.h"
 #include "app/cli/options.h"
+#include "app/cli/sweep_input.h"
 #include "core/angle/sweep_csv.h"
 #include "core/angle/verification.h"
 #include "core/base/json_writer.h"
@@ -93,10 +94,11 @@ Result<int> verifySweep(const VerifyOptions& options) {
   if (!model) {
     return std::unexpected(model.error());
   }
-  const auto sweep = angle::readSweepCsv(options.sweep);
-  if (!sweep) {
-    return std::unexpected(sweep.error());
+  const auto loaded = loadSweep(options.sweep, session::SweepRole::Verification);
+  if (!loaded) {
+    return std::unexpected(loaded.error());
   }
+  const angle::Sweep* sweep = &loaded->sweep;
   const auto report = angle::verify(*calibration, **model, *sweep, *limit);
   if (!report) {
     return std::unexpected(withPath(report.error(), sweep->source.file, options.sweep));
