@@ -10,6 +10,7 @@
 #include <QList>
 #include <QString>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -34,11 +35,12 @@ enum class FigureTopic : std::uint8_t { Data, Curve, Models, Comparison, Verific
 struct NamedFigure {
   QString stem; ///< file name without folder and extension, e.g. "correction-curve"
   FigureTopic topic = FigureTopic::Data;
-  QString caption; ///< a sentence or two: what is drawn and how it was made
-  PlotSpec spec;
+  QString caption;                ///< a sentence or two: what is drawn and how it was made
+  std::function<PlotSpec()> make; ///< the plot; any thread
 };
 
-QList<NamedFigure> angleFigures(const AngleResults& results);
+/// Cheap: plots are made only when asked for. `results` is shared with them.
+QList<NamedFigure> angleFigures(const std::shared_ptr<const AngleResults>& results);
 
 /// Segments and table entries of the figures that show one size: those of the first such model, otherwise 32 and 64.
 int segmentsShown(const angle::AngleCalibration& calibration);

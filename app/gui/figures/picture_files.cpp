@@ -1,11 +1,9 @@
 #include "app/gui/figures/picture_files.h"
 
 #include <QBuffer>
-#include <QDir>
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <QSvgGenerator>
 
 namespace straightedge::gui {
@@ -88,23 +86,6 @@ QByteArray plotAs(PictureFormat format, const PlotSpec& spec) {
     return plotAsSvg(spec);
   case PictureFormat::Pdf:
     return plotAsPdf(spec);
-  }
-  return {};
-}
-
-Result<void> writeWholeFile(const QString& file, const QByteArray& bytes) {
-  QSaveFile out(file);
-  if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size() || !out.commit()) {
-    return fail(ErrorKind::Storage, "cannot be written: " + out.errorString().toStdString(),
-                "check the folder's permissions and the free space", file.toStdString());
-  }
-  return {};
-}
-
-Result<void> makeFolder(const QString& folder) {
-  if (!QDir().mkpath(folder)) {
-    return fail(ErrorKind::Storage, "the folder cannot be made", "choose a folder that you may write to",
-                folder.toStdString());
   }
   return {};
 }

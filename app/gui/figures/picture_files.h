@@ -1,8 +1,7 @@
-// Plots and reports as bytes, and bytes into files that are whole or not there.
+// Plots as the bytes of picture files.
 #pragma once
 
 #include "app/gui/plots/plot_view.h"
-#include "core/base/error.h"
 
 #include <QByteArray>
 #include <QSize>
@@ -21,10 +20,5 @@ QByteArray plotAsPng(const PlotSpec& spec, QSize size = exportedPlotSize, double
 QByteArray plotAsSvg(const PlotSpec& spec, QSize size = exportedPlotSize, PlotTheme theme = PlotTheme::Light);
 QByteArray plotAsPdf(const PlotSpec& spec, QSize size = exportedPlotSize, PlotTheme theme = PlotTheme::Light);
 QByteArray plotAs(PictureFormat format, const PlotSpec& spec);
-
-/// Writes under a temporary name and renames. Errors: Storage, naming the file.
-Result<void> writeWholeFile(const QString& file, const QByteArray& bytes);
-/// Makes the folder and its parents. Errors: Storage.
-Result<void> makeFolder(const QString& folder);
 
 } // namespace straightedge::gui

@@ -33,9 +33,9 @@ public:
       if (figure.topic != topic) {
         continue;
       }
-      ReportFigure block{QStringLiteral("Figure %1. %2").arg(++m_figures).arg(figure.caption), figure.spec};
-      if (!figure.spec.note.isEmpty()) {
-        block.caption += QLatin1Char(' ') + figure.spec.note + QLatin1Char('.');
+      ReportFigure block{QStringLiteral("Figure %1. %2").arg(++m_figures).arg(figure.caption), figure.make()};
+      if (!block.spec.note.isEmpty()) {
+        block.caption += QLatin1Char(' ') + block.spec.note + QLatin1Char('.');
       }
       block.spec.title.clear();
       block.spec.note.clear();
@@ -90,7 +90,8 @@ void addComparison(ReportWriter& report, const AngleResults& results, const QLis
 
 } // namespace
 
-ReportContent angleReport(const AngleResults& results) {
+ReportContent angleReport(const std::shared_ptr<const AngleResults>& shared) {
+  const AngleResults& results = *shared;
   const angle::AngleCalibration& calibration = results.calibration;
   ReportContent content;
   content.title = QStringLiteral("Angle calibration");
@@ -104,7 +105,7 @@ ReportContent angleReport(const AngleResults& results) {
   content.software = fromText(calibration.software);
   content.created = fromText(calibration.created);
 
-  const QList<NamedFigure> figures = angleFigures(results);
+  const QList<NamedFigure> figures = angleFigures(shared);
   ReportWriter report(content);
   report.facts(traceabilityTable(calibration));
   addSummary(report, results);

@@ -47,6 +47,6 @@ struct ReportContent {
 };
 
 /// Everything there is to say about one angle calibration.
-ReportContent angleReport(const AngleResults& results);
+ReportContent angleReport(const std::shared_ptr<const AngleResults>& results);
 
 } // namespace straightedge::gui

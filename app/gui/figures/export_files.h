@@ -1,0 +1,47 @@
+// Everything a calibration can be taken away as, written together: all files or none.
+#pragma once
+
+#include "app/gui/figures/angle_figures.h"
+#include "core/base/error.h"
+#include "core/base/job_control.h"
+
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+
+#include <functional>
+#include <vector>
+
+namespace straightedge::gui {
+
+struct ExportChoices {
+  bool calibration = true; ///< calibration.json
+  bool tablesCsv = true;   ///< linear-32.csv, …
+  bool tablesJson = false; ///< linear-32.json, …: a calibration with one model
+  bool sweep = true;       ///< sweep.csv: the readings the calibration was made from
+  bool comparison = true;  ///< comparison.csv
+  bool plotsPng = true;    ///< plots/correction-curve.png, …
+  bool plotsSvg = false;
+  bool plotsPdf = false;
+  bool reportPdf = true; ///< report.pdf
+  bool reportHtml = false;
+
+  bool operator==(const ExportChoices&) const = default;
+};
+
+/// A file to be written: its name below the folder and how its bytes are made. Any thread.
+struct FileToWrite {
+  QString name;
+  std::function<QByteArray()> bytes;
+};
+
+/// What the choices come to with these results; files without content (no sweep, no comparison) are left out.
+/// Cheap: bytes are made only when asked for.
+std::vector<FileToWrite> filesToWrite(const std::shared_ptr<const AngleResults>& results, const ExportChoices& choices);
+
+/// Writes them below `folder`, which is made where it is missing. Names appear only after every file was written:
+/// after an error or a cancelled job the folder holds what it held before (or nothing but empty folders).
+/// Returns the names written. Errors: Storage, Cancelled.
+Result<QStringList> writeFiles(const std::vector<FileToWrite>& files, const QString& folder, const JobControl& job);
+
+} // namespace straightedge::gui

@@ -1,0 +1,156 @@
+#include "app/gui/figures/render_command.h"
+
+#include "app/gui/figures/export_files.h"
+#include "core/angle/sweep_csv.h"
+#include "core/base/file_bytes.h"
+#include "core/export/calibration_json.h"
+#include "core/export/tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace straightedge::gui {
+
+namespace {
+
+struct RenderOptions {
+  QString calibration;
+  QString out;
+  QString sweep;
+  QString comparison;
+  bool plots = false;
+  bool report = false;
+};
+
+const char* const usage = "usage: straightedge --render CALIBRATION.json --out DIR [--plots] [--report] "
+                          "[--sweep SWEEP.csv] [--comparison FILE]";
+
+Result<RenderOptions> parse(const QStringList& arguments) {
+  RenderOptions options;
+  for (qsizetype i = 0; i < arguments.size(); ++i) {
+    const QString& argument = arguments[i];
+    QString* value = argument == QLatin1String("--out")          ? &options.out
+                     : argument == QLatin1String("--sweep")      ? &options.sweep
+                     : argument == QLatin1String("--comparison") ? &options.comparison
+                                                                 : nullptr;
+    if (value != nullptr) {
+      if (i + 1 >= arguments.size()) {
+        return fail(ErrorKind::Usage, argument.toStdString() + " needs a value", usage);
+      }
+      *value = arguments[++i];
+    } else if (argument == QLatin1String("--plots")) {
+      options.plots = true;
+    } else if (argument == QLatin1String("--report")) {
+      options.report = true;
+    } else if (argument.startsWith(QLatin1Char('-')) && argument != QLatin1String("-")) {
+      return fail(ErrorKind::Usage, "unknown option " + argument.toStdString(), usage);
+    } else if (options.calibration.isEmpty()) {
+      options.calibration = argument;
+    } else {
+      return fail(ErrorKind::Usage, "one calibration at a time, not also " + argument.toStdString(), usage);
+    }
+  }
+  if (options.calibration.isEmpty() || options.out.isEmpty()) {
+    return fail(ErrorKind::Usage, options.out.isEmpty() ? "--out is missing" : "the calibration is missing", usage);
+  }
+  if (!options.plots && !options.report) {
+    options.plots = options.report = true;
+  }
+  return options;
+}
+
+/// A sweep belongs to a calibration when it gives the same models again.
+bool givesSameModels(const angle::AngleCalibration& recomputed, const angle::AngleCalibration& stated) {
+  constexpr double toleranceDeg = 1e-6;
+  const auto close = [](double a, double b) { return std::abs(a - b) <= toleranceDeg; };
+  return recomputed.direction == stated.direction &&
+         std::ranges::equal(recomputed.models, stated.models, [&close](const angle::Model& a, const angle::Model& b) {
+           return a.name == b.name && close(a.errors.maxCurveDeg, b.errors.maxCurveDeg) &&
+                  close(a.errors.rmsPointsDeg, b.errors.rmsPointsDeg) &&
+                  close(a.correctionDeg(0.0), b.correctionDeg(0.0));
+         });
+}
+
+Result<void> addSweep(AngleResults& results, const QString& file) {
+  Result<angle::Sweep> sweep = angle::readSweepCsv(file.toStdString());
+  if (!sweep) {
+    return std::unexpected(sweep.error());
+  }
+  angle::CalibrationOptions options;
+  options.curve.method = results.calibration.curveMethod;
+  options.models.clear();
+  for (const angle::Model& model : results.calibration.models) {
+    options.models.push_back(model.name);
+  }
+  Result<angle::CalibrationRun> run = angle::calibrate(*sweep, options, results.calibration.traceability);
+  if (!run) {
+    return std::unexpected(run.error());
+  }
+  if (!givesSameModels(run->result, results.calibration)) {
+    return fail(ErrorKind::Input, "the sweep is not the one that the calibration was made from",
+                "give the sweep that calibration.json names under source, or leave out --sweep", file.toStdString());
+  }
+  results.calibration.passes = run->result.passes; // per-angle lists are not part of the file
+  results.comparison =
+      std::make_shared<const angle::Comparison>(angle::compareFully(run->curve, {}, {}).value_or(angle::Comparison{}));
+  results.sweep = std::make_shared<const angle::Sweep>(std::move(*sweep));
+  results.run = std::make_shared<const angle::CalibrationRun>(std::move(*run));
+  return {};
+}
+
+Result<void> render(const QStringList& arguments) {
+  const Result<RenderOptions> options = parse(arguments);
+  if (!options) {
+    return std::unexpected(options.error());
+  }
+  Result<angle::AngleCalibration> calibration = exporting::readCalibration(options->calibration.toStdString());
+  if (!calibration) {
+    return std::unexpected(calibration.error());
+  }
+  const auto results = std::make_shared<AngleResults>();
+  results->calibration = std::move(*calibration);
+  if (!options->sweep.isEmpty()) {
+    if (const Result<void> added = addSweep(*results, options->sweep); !added) {
+      return added;
+    }
+  }
+  if (!options->comparison.isEmpty()) {
+    const std::string name = options->comparison.toStdString();
+    Result<std::string> bytes = readFileBytes(name);
+    if (!bytes) {
+      return std::unexpected(bytes.error());
+    }
+    Result<angle::Comparison> comparison = exporting::comparisonFromCsv(std::move(*bytes), name);
+    if (!comparison) {
+      return std::unexpected(comparison.error());
+    }
+    results->comparison = std::make_shared<const angle::Comparison>(std::move(*comparison));
+  }
+  const ExportChoices choices{.calibration = false,
+                              .tablesCsv = false,
+                              .tablesJson = false,
+                              .sweep = false,
+                              .comparison = false,
+                              .plotsPng = options->plots,
+                              .plotsSvg = options->plots,
+                              .plotsPdf = options->plots,
+                              .reportPdf = options->report,
+                              .reportHtml = options->report};
+  const Result<QStringList> written = writeFiles(filesToWrite(results, choices), options->out, {});
+  return written ? Result<void>{} : Result<void>(std::unexpected(written.error()));
+}
+
+} // namespace
+
+int renderCalibration(const QStringList& arguments) {
+  const Result<void> done = render(arguments);
+  if (done) {
+    return 0;
+  }
+  std::fprintf(stderr, "straightedge: %s\n", done.error().message().c_str());
+  return exitCode(done.error().kind);
+}
+
+} // namespace straightedge::gui
