@@ -16,11 +16,11 @@ enum class StorageMeasure : std::uint8_t { Entries, Bytes };
 struct ComparisonFigureOptions {
   ErrorMeasure error = ErrorMeasure::Maximum;
   StorageMeasure storage = StorageMeasure::Entries;
-  std::optional<angle::ModelName> selected; ///< its point is emphasised
-  std::optional<double> targetErrorDeg;     ///< guide "target"
-  std::optional<int> budgetEntries;         ///< guide "budget"
-  std::optional<double> leaveOneOutDeg;     ///< guide "data": no claim below it is supported by the points
-  std::optional<int> bits;                  ///< for bytes of the budget
+  std::optional<angle::ModelName> selected = std::nullopt; ///< its point is emphasised
+  std::optional<double> targetErrorDeg = std::nullopt;     ///< guide "target"
+  std::optional<int> budgetEntries = std::nullopt;         ///< guide "budget"
+  std::optional<double> leaveOneOutDeg = std::nullopt; ///< guide "data": no claim below it is supported by the points
+  std::optional<int> bits = std::nullopt;              ///< for bytes of the budget
 };
 
 /// A plot whose points stand for rows of the comparison.

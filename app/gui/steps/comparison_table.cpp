@@ -32,7 +32,7 @@ QVariant ComparisonTable::data(const QModelIndex& index, int role) const {
     return {};
   }
   if (role == Qt::TextAlignmentRole) {
-    return QVariant::fromValue(Qt::Alignment(Qt::AlignVCenter | (index.column() < Size ? Qt::AlignLeft : Qt::AlignRight)));
+    return QVariant::fromValue(Qt::AlignVCenter | (index.column() < Size ? Qt::AlignLeft : Qt::AlignRight));
   }
   const bool forSorting = role == sortRole;
   if (role != Qt::DisplayRole && !forSorting) {
@@ -67,7 +67,7 @@ QVariant ComparisonTable::headerData(int section, Qt::Orientation orientation, i
     return {};
   }
   if (role == Qt::TextAlignmentRole) {
-    return QVariant::fromValue(Qt::Alignment(Qt::AlignVCenter | (section < Size ? Qt::AlignLeft : Qt::AlignRight)));
+    return QVariant::fromValue(Qt::AlignVCenter | (section < Size ? Qt::AlignLeft : Qt::AlignRight));
   }
   if (role == Qt::ToolTipRole && section == MaximumFine) {
     return tr("On 65,536 angles; the grid of 4096 flatters tables of more than 256 entries");
