@@ -3,6 +3,7 @@
 #include "app/gui/plots/painter_device.h"
 #include "app/gui/plots/series_plot.h"
 #include "app/gui/plots/theme.h"
+#include "app/gui/plots/vtk_messages.h"
 
 #include <QPainter>
 #include <vtkAxis.h>
@@ -52,6 +53,7 @@ struct ChartScene::Impl {
   std::vector<vtkSmartPointer<SeriesPlot>> plots;
 
   Impl() {
+    sendVtkMessagesToLog();
     chart->SetRenderEmpty(true);
     chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
     chart->SetAutoAxes(false);

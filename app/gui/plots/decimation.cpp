@@ -21,12 +21,12 @@ struct Column {
   }
 };
 
-/// Liang-Barsky: the part of a–b inside [low, high]², false where there is none.
-bool clipSegment(UnitPoint& a, UnitPoint& b, double low, double high) {
+/// Liang-Barsky: the part of a–b inside the visible square and its margins, false where there is none.
+bool clipSegment(UnitPoint& a, UnitPoint& b, double marginX, double marginY) {
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
   const std::array<double, 4> p = {-dx, dx, -dy, dy};
-  const std::array<double, 4> q = {a.x - low, high - a.x, a.y - low, high - a.y};
+  const std::array<double, 4> q = {a.x + marginX, 1.0 + marginX - a.x, a.y + marginY, 1.0 + marginY - a.y};
   double from = 0.0;
   double to = 1.0;
   for (std::size_t side = 0; side < 4; ++side) {
@@ -156,7 +156,7 @@ std::vector<UnitPoint> stepCorners(const std::vector<UnitPoint>& points) {
   return out;
 }
 
-std::vector<std::vector<UnitPoint>> clippedRuns(const std::vector<UnitPoint>& points, double margin) {
+std::vector<std::vector<UnitPoint>> clippedRuns(const std::vector<UnitPoint>& points, double marginX, double marginY) {
   std::vector<std::vector<UnitPoint>> runs;
   std::vector<UnitPoint> run;
   const auto close = [&] {
@@ -165,9 +165,9 @@ std::vector<std::vector<UnitPoint>> clippedRuns(const std::vector<UnitPoint>& po
       run = {};
     }
   };
-  const double low = -margin;
-  const double high = 1.0 + margin;
-  const auto inside = [&](const UnitPoint& p) { return p.x >= low && p.x <= high && p.y >= low && p.y <= high; };
+  const auto inside = [&](const UnitPoint& p) {
+    return p.x >= -marginX && p.x <= 1.0 + marginX && p.y >= -marginY && p.y <= 1.0 + marginY;
+  };
   for (std::size_t i = 0; i < points.size(); ++i) {
     const UnitPoint& current = points[i];
     if (!std::isfinite(current.x) || !std::isfinite(current.y)) {
@@ -183,7 +183,7 @@ std::vector<std::vector<UnitPoint>> clippedRuns(const std::vector<UnitPoint>& po
     }
     UnitPoint a = points[i - 1];
     UnitPoint b = current;
-    if (!clipSegment(a, b, low, high)) {
+    if (!clipSegment(a, b, marginX, marginY)) {
       close();
       continue;
     }

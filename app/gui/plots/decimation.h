@@ -29,9 +29,10 @@ std::vector<UnitPoint> decimate(std::span<const double> x, std::span<const doubl
 /// y[i] holds from x[i] to x[i + 1]: the corners of the staircase.
 std::vector<UnitPoint> stepCorners(const std::vector<UnitPoint>& points);
 
-/// Cuts a line at the border of the visible square widened by `margin`; gaps and cuts separate the runs. Painting far
+/// Cuts a line at the border of the visible square widened by margins; gaps and cuts separate the runs. Painting far
 /// outside is slow, and single precision would bend lines that come from far away.
-std::vector<std::vector<UnitPoint>> clippedRuns(const std::vector<UnitPoint>& points, double margin = 0.25);
+std::vector<std::vector<UnitPoint>> clippedRuns(const std::vector<UnitPoint>& points, double marginX = 0.25,
+                                                double marginY = 0.25);
 
 /// At most one point per cell of a columns × rows grid over the visible square; indices of those kept.
 std::vector<std::size_t> thinMarkers(std::span<const double> x, std::span<const double> y, const AxisScale& xScale,

@@ -20,9 +20,12 @@
 namespace straightedge::gui {
 namespace {
 
-/// QPainter's raster engine strokes a polyline wider than one device pixel about 300 times slower than one of one pixel
-/// once its points lie denser than the pen is wide; from this many points on it is drawn in thin passes instead.
-constexpr int denseRun = 400;
+/// QPainter's raster engine takes time with the square of a wide polyline's length: it fills the outline of the whole.
+/// From this many points on a run is drawn in short pieces …
+constexpr qsizetype pieceLength = 32;
+/// … and where there are more points than this per device pixel, in several shifted lines of one pixel, which are
+/// quick.
+constexpr double densePoints = 1.3;
 
 QPainterPath markerPath(int shape, double r) {
   QPainterPath path;
@@ -148,19 +151,39 @@ void PainterDevice::strokeRun(const QPolygonF& run, const QPen& pen) const {
   const double scale = std::hypot(device.m11(), device.m12());
   const bool raster = m_painter->paintEngine() != nullptr && m_painter->paintEngine()->type() == QPaintEngine::Raster;
   const double deviceWidth = pen.widthF() * scale;
-  if (!raster || run.size() <= denseRun || deviceWidth <= 1.01) {
+  if (!raster || run.size() <= 2 * pieceLength || deviceWidth <= 1.01) {
     m_painter->setPen(pen);
     m_painter->drawPolyline(run);
     return;
   }
-  QPen thin(pen.color());
-  thin.setCosmetic(true);
-  thin.setWidthF(1.0);
-  m_painter->setPen(thin);
-  const int passes = std::clamp(static_cast<int>(std::lround(deviceWidth)), 2, 4);
-  for (int pass = 0; pass < passes; ++pass) {
-    const double shift = (pass - 0.5 * (passes - 1)) * 0.7 / scale;
-    m_painter->drawPolyline(run.translated(shift, shift));
+  const double across = std::max(1.0, std::abs(run.last().x() - run.first().x()) * scale);
+  if (static_cast<double>(run.size()) > densePoints * across) {
+    QPen thin(pen.color());
+    thin.setCosmetic(true);
+    thin.setWidthF(1.0);
+    m_painter->setPen(thin);
+    const double shift = 0.35 * (deviceWidth - 0.5) / scale;
+    m_painter->drawPolyline(run.translated(-shift, 0.0));
+    m_painter->drawPolyline(run.translated(shift, 0.0));
+    m_painter->drawPolyline(run.translated(0.0, shift));
+    return;
+  }
+  QPen piecewise = pen;
+  const bool dashed = pen.style() == Qt::CustomDashLine;
+  if (!dashed) {
+    piecewise.setCapStyle(Qt::RoundCap); // no notches between the pieces
+  }
+  double before = 0.0; // length so far: the dashes go on where they ended
+  for (qsizetype first = 0; first + 1 < run.size(); first += pieceLength) {
+    const qsizetype count = std::min(pieceLength + 1, run.size() - first);
+    if (dashed) { // setting it turns a solid pen into a dashed one
+      piecewise.setDashOffset(before / pen.widthF());
+    }
+    m_painter->setPen(piecewise);
+    m_painter->drawPolyline(run.constData() + first, static_cast<int>(count));
+    for (qsizetype i = first + 1; dashed && i < first + count; ++i) {
+      before += QLineF(run[i - 1], run[i]).length();
+    }
   }
 }
 
@@ -322,8 +345,8 @@ void PainterDevice::PopMatrix() {
 }
 
 void PainterDevice::SetClipping(int* rect) {
-  // One pixel more to every side: lines and the pixels of the border itself stay whole.
-  m_clip = QRect(rect[0], m_height - rect[1] - rect[3], rect[2], rect[3]).adjusted(-1, -1, 1, 1);
+  // A marker on the border stays whole; lines and bars come cut already.
+  m_clip = QRect(rect[0], m_height - rect[1] - rect[3], rect[2], rect[3]).adjusted(-6, -6, 6, 6);
   if (m_clipping) {
     EnableClipping(true);
   }

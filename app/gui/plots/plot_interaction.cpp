@@ -26,7 +26,9 @@ QRectF PlotInteraction::rubberBand() const {
   if (m_drag != Drag::ZoomBand && m_drag != Drag::SelectBand) {
     return {};
   }
-  return QRectF(m_pressedAt, m_pointer).normalized().intersected(m_impl.layout().plot);
+  QRectF band = QRectF(m_pressedAt, m_pointer).normalized();
+  band.setSize(band.size().expandedTo({1.0, 1.0})); // a perfectly straight drag is no empty rectangle
+  return band.intersected(m_impl.layout().plot);
 }
 
 int PlotInteraction::legendAt(const QPointF& position) const {

@@ -124,7 +124,7 @@ void placeLegend(PlotLayout& layout, const PlotSpec& spec, const QFontMetricsF& 
     inner.setRight(inner.right() - width - 2.0 * pad);
     return;
   }
-  const int most = std::max(1, static_cast<int>(0.28 * inner.height() / rowHeight));
+  const int most = std::max(1, static_cast<int>(0.2 * inner.height() / rowHeight));
   if (rows.height > most * rowHeight) {
     rows = rowsOfLegend(spec, metrics, inner.width(), most);
   }
@@ -277,9 +277,12 @@ PlotLayout layOut(const PlotSpec& spec, const PlotWindow& window, const QRectF& 
     layout.xTitle = {QRectF(left, titleTop, width, titleHeight), text};
   }
   const auto besidePlot = [&](const QString& title, double left) {
-    const QString text = titles.elidedText(title, Qt::ElideRight, inner.height());
-    const double length = std::min(textWidth(titles, text), inner.height());
-    return PlacedText{QRectF(left, inner.center().y() - 0.5 * length, titleHeight, length), text};
+    // Beside the plot, and where it is long down to the end of the x axis' title.
+    const double bottom = inner.bottom() + labelRow + titleRow;
+    const QString text = titles.elidedText(title, Qt::ElideMiddle, bottom - inner.top());
+    const double length = std::min(textWidth(titles, text), bottom - inner.top());
+    const double top = std::clamp(inner.center().y() - 0.5 * length, inner.top(), bottom - length);
+    return PlacedText{QRectF(left, top, titleHeight, length), text};
   };
   if (!spec.y.title.isEmpty()) {
     layout.yTitle = besidePlot(spec.y.title, outer.left() - 2.0);
@@ -287,14 +290,19 @@ PlotLayout layOut(const PlotSpec& spec, const PlotWindow& window, const QRectF& 
   if (hasRight && !spec.right->title.isEmpty()) {
     layout.rightTitle = besidePlot(spec.right->title, outer.right() - titleHeight + 2.0);
   }
+  // The remarks share a row above the plot, each at its own side of the whole.
   const double remarkTop = inner.top() - std::ceil(0.5 * labelHeight) - labelHeight;
+  const double room = hasRight ? 0.5 * (outer.width() - pad) : outer.width();
+  const auto remark = [&](const QString& text, bool onRight) {
+    const QString shown = labels.elidedText(text, Qt::ElideRight, room - 1.0);
+    const double width = std::min(textWidth(labels, shown), room);
+    return PlacedText{QRectF(onRight ? outer.right() - width : outer.left(), remarkTop, width, labelHeight), shown};
+  };
   if (!layout.yTicks.remark.isEmpty()) {
-    layout.yRemark = {QRectF(inner.left(), remarkTop, textWidth(labels, layout.yTicks.remark), labelHeight),
-                      layout.yTicks.remark};
+    layout.yRemark = remark(layout.yTicks.remark, false);
   }
   if (!layout.rightTicks.remark.isEmpty()) {
-    const double width = textWidth(labels, layout.rightTicks.remark);
-    layout.rightRemark = {QRectF(inner.right() - width, remarkTop, width, labelHeight), layout.rightTicks.remark};
+    layout.rightRemark = remark(layout.rightTicks.remark, true);
   }
   return layout;
 }

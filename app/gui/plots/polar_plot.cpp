@@ -51,7 +51,8 @@ void paintSeries(QPainter& painter, const PlotSeries& series, const PolarPlace& 
   if (series.style == SeriesStyle::Line) {
     return;
   }
-  const double size = count > 400 ? 1.8 : 3.2;
+  // Neighbours on the ring stay apart.
+  const double size = std::clamp(1.0 * place.radius / static_cast<double>(std::max<qsizetype>(count, 32)), 1.2, 3.2);
   for (qsizetype i = 0; i < count; ++i) {
     const QPointF p = place.toPixels(series.x[i], series.y[i]);
     if (!std::isfinite(p.x()) || !std::isfinite(p.y())) {

@@ -38,7 +38,8 @@ void prepareBars(SeriesGeometry& out, const PlotSpec& spec, int index, const Plo
   const PlotSeries& series = spec.series[index];
   const AxisScale& yScale = window.yOf(series);
   const BarPlace place = barPlace(spec, index);
-  const double base = yScale.logarithmic ? 0.0 : std::clamp(yScale.toUnit(0.0), -0.25, 1.25);
+  const bool someEmphasised = series.emphasised.contains(true);
+  const double base = yScale.logarithmic ? 0.0 : std::clamp(yScale.toUnit(0.0), 0.0, 1.0);
   for (qsizetype i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
     double left = window.x.toUnit(series.x[i] + place.offset);
     double right = window.x.toUnit(series.x[i] + place.offset + place.width);
@@ -51,14 +52,12 @@ void prepareBars(SeriesGeometry& out, const PlotSpec& spec, int index, const Plo
       left = middle - 0.5 * minimumWidth;
       right = middle + 0.5 * minimumWidth;
     }
-    const auto l = static_cast<float>(std::max(left, -0.25));
-    const auto r = static_cast<float>(std::min(right, 1.25));
+    const auto l = static_cast<float>(std::max(left, 0.0));
+    const auto r = static_cast<float>(std::min(right, 1.0));
     const auto b = static_cast<float>(base);
-    const auto t = static_cast<float>(std::clamp(y, -0.25, 1.25));
-    out.bars.push_back({l, b, r, b, r, t, l, t});
-    if (emphasised(series, static_cast<std::size_t>(i))) {
-      out.rims.push_back({l, b, r, b, r, t, l, t, l, b});
-    }
+    const auto t = static_cast<float>(std::clamp(y, 0.0, 1.0));
+    const bool standsBack = someEmphasised && !emphasised(series, static_cast<std::size_t>(i));
+    (standsBack ? out.faint : out.bars).push_back({l, b, r, b, r, t, l, t});
   }
 }
 
@@ -117,7 +116,10 @@ SeriesGeometry prepareSeries(const PlotSpec& spec, int index, const PlotWindow& 
     if (series.style == SeriesStyle::Steps) {
       points = stepCorners(points);
     }
-    for (const auto& run : clippedRuns(points)) {
+    // One pixel beyond the border, where the plot is clipped only coarsely for the sake of markers on the border.
+    const double logical = devicePixelRatio;
+    for (const auto& run :
+         clippedRuns(points, logical / std::max(1.0, pixels.width()), logical / std::max(1.0, pixels.height()))) {
       if (run.size() == 1) { // a point between two gaps has no line
         append(out.markers, run.front().x, run.front().y);
         out.markerSize = 3.0F;
@@ -165,9 +167,9 @@ bool SeriesPlot::Paint(vtkContext2D* painter) {
   for (auto& bar : m_geometry.bars) {
     painter->DrawQuad(bar.data());
   }
-  pen->SetWidth(2.0F);
-  for (auto& rim : m_geometry.rims) {
-    painter->DrawPoly(rim.data(), 5);
+  painter->GetBrush()->SetColor(red, green, blue, 105);
+  for (auto& bar : m_geometry.faint) {
+    painter->DrawQuad(bar.data());
   }
   pen->SetWidth(m_lineWidth);
   pen->SetLineType(m_dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);

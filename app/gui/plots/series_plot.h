@@ -22,7 +22,7 @@ struct SeriesGeometry {
   std::vector<float> markers;              ///< filled
   std::vector<float> hollow;               ///< emphasised points
   std::vector<std::array<float, 8>> bars;  ///< four corners each
-  std::vector<std::array<float, 10>> rims; ///< closed outlines of emphasised bars
+  std::vector<std::array<float, 8>> faint; ///< bars that stand back behind emphasised ones
   float markerSize = 6.0F;
 };
 

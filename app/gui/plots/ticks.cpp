@@ -37,9 +37,14 @@ double chooseStep(double span, int maximumCount, std::optional<double> preferred
   return nice;
 }
 
+/// Into how many parts minor ticks divide a step: never finer than the preferred step where that means something whole.
 int minorParts(double step, std::optional<double> preferred) {
-  if (preferred && *preferred > 0.0 && std::abs(std::remainder(step, *preferred / 45.0)) < step * 1e-9) {
-    return 3;
+  if (preferred && *preferred > 0.0) {
+    const double multiple = step / *preferred;
+    if (multiple >= 1.0 - 1e-9) {
+      const bool angle = std::abs(std::remainder(*preferred, 45.0)) < 1e-9;
+      return multiple > 1.5 ? static_cast<int>(std::lround(multiple)) : (angle ? 3 : 1);
+    }
   }
   const double mantissa = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
   return std::abs(mantissa - 2.0) < 0.1 ? 4 : 5;
@@ -70,6 +75,18 @@ int decimalsOf(double step) {
   return 15;
 }
 
+/// An offset in full, "1700000000" rather than "1.7e+09", as long as it is of a size people read.
+QString offsetText(double offset) {
+  if (offset >= 1e15 || offset < 1e-3) {
+    return QString::fromStdString(formatDouble(offset));
+  }
+  QString text = QString::number(offset, 'f', 15 - static_cast<int>(std::ceil(std::log10(offset))));
+  while (text.contains(u'.') && (text.endsWith(u'0') || text.endsWith(u'.'))) {
+    text.chop(1);
+  }
+  return text;
+}
+
 /// Labels as (value − offset) / 10^exponent, and the remark that says so.
 void labelLinear(Ticks& ticks, double step, const AxisScale& scale) {
   double offset = 0.0;
@@ -95,24 +112,24 @@ void labelLinear(Ticks& ticks, double step, const AxisScale& scale) {
     ticks.remark = QStringLiteral("× ") + powerOfTen(exponent);
   }
   if (offset != 0.0) {
-    const QString amount = QString::fromStdString(formatDouble(std::abs(offset)));
+    const QString amount = offsetText(std::abs(offset));
     ticks.remark += (ticks.remark.isEmpty() ? QString() : QStringLiteral(" ")) +
                     (offset < 0.0 ? QString(minusSign) : QStringLiteral("+")) + u' ' + amount;
   }
 }
 
-QString decadeLabel(int exponent) {
-  if (exponent >= -4 && exponent <= 4) {
+QString decadeLabel(int exponent, bool plain) {
+  if (plain || (exponent >= -2 && exponent <= 3)) {
     return QString::number(std::pow(10.0, exponent), 'f', std::max(0, -exponent));
   }
   return powerOfTen(exponent);
 }
 
-QString logarithmicLabel(int mantissa, int exponent) {
+QString logarithmicLabel(int mantissa, int exponent, bool plain) {
   if (mantissa == 1) {
-    return decadeLabel(exponent);
+    return decadeLabel(exponent, plain);
   }
-  if (exponent >= -4 && exponent <= 3) {
+  if (plain || (exponent >= -2 && exponent <= 3)) {
     return QString::number(mantissa * std::pow(10.0, exponent), 'f', std::max(0, -exponent));
   }
   return QString::number(mantissa) + u'·' + powerOfTen(exponent);
@@ -166,6 +183,7 @@ Ticks logarithmicTicks(const AxisScale& scale, int maximumCount) {
   const int lastDecade = static_cast<int>(std::ceil(high + 1e-9));
   const double decades = high - low;
   const int every = std::max(1, static_cast<int>(std::ceil(decades / std::max(1, maximumCount - 1))));
+  const bool plain = low >= -4.01 && high <= 4.99; // one way of writing for the whole axis
   // Labels at 1, 1-3, 1-2-5 of a decade, as many as there is room for.
   const bool oneTwoFive = every == 1 && decades * 3.0 <= maximumCount;
   const bool oneThree = every == 1 && !oneTwoFive && decades < 2.0 && decades * 2.0 <= maximumCount;
@@ -180,7 +198,7 @@ Ticks logarithmicTicks(const AxisScale& scale, int maximumCount) {
                             (oneTwoFive && (mantissa == 2 || mantissa == 5)) || (oneThree && mantissa == 3);
       if (labelled) {
         ticks.positions << value;
-        ticks.labels << logarithmicLabel(mantissa, decade);
+        ticks.labels << logarithmicLabel(mantissa, decade, plain);
       } else if (every == 1 || mantissa == 1) {
         ticks.minor << value;
       }
@@ -191,19 +209,32 @@ Ticks logarithmicTicks(const AxisScale& scale, int maximumCount) {
 
 Ticks fittingTicks(const AxisScale& scale, double length, double gap, std::optional<double> preferredStep,
                    const std::function<double(const QString&)>& extent) {
-  const int most = std::clamp(static_cast<int>(length / std::max(8.0, gap)) + 1, 2, 12);
-  Ticks ticks;
-  for (int count = most; count >= 2; --count) {
-    ticks = scale.logarithmic ? logarithmicTicks(scale, count) : linearTicks(scale, count, preferredStep);
-    bool fits = true;
-    for (qsizetype i = 1; i < ticks.positions.size() && fits; ++i) {
+  const auto make = [&](int count) {
+    return scale.logarithmic ? logarithmicTicks(scale, count) : linearTicks(scale, count, preferredStep);
+  };
+  const auto fits = [&](const Ticks& ticks, double between) {
+    for (qsizetype i = 1; i < ticks.positions.size(); ++i) {
       const double distance = (scale.toUnit(ticks.positions[i]) - scale.toUnit(ticks.positions[i - 1])) * length;
-      fits = distance >= 0.5 * (extent(ticks.labels[i]) + extent(ticks.labels[i - 1])) + gap;
+      if (distance < 0.5 * (extent(ticks.labels[i]) + extent(ticks.labels[i - 1])) + between) {
+        return false;
+      }
     }
-    if (fits) {
+    return ticks.positions.size() >= 2;
+  };
+  const int most = std::clamp(static_cast<int>(length / std::max(8.0, gap)) + 1, 2, preferredStep ? 20 : 12);
+  for (int count = most; count >= 2; --count) {
+    const Ticks ticks = make(count);
+    if (fits(ticks, gap)) {
       return ticks;
     }
   }
+  for (int count = 3; count <= 12; ++count) { // coarse steps may all but miss a short axis: two labels matter more
+    const Ticks ticks = make(count);
+    if (fits(ticks, 2.0)) {
+      return ticks;
+    }
+  }
+  Ticks ticks = make(2);
   for (qsizetype i = 1; i < ticks.labels.size(); ++i) { // no room at all: the first label only
     ticks.labels[i].clear();
   }

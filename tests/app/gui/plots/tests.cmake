@@ -2,3 +2,19 @@ straightedge_add_qt_test(NAME gui_plot_gallery
   SOURCES app/gui/plots/figures.cpp app/gui/plots/plot_gallery.cpp
   LIBRARIES straightedge::plots
   LABELS gui)
+straightedge_add_qt_test(NAME gui_plot_numbers
+  SOURCES app/gui/plots/figures.cpp app/gui/plots/plot_numbers_test.cpp
+  LIBRARIES straightedge::plots straightedge::core
+  LABELS gui)
+straightedge_add_qt_test(NAME gui_plot_view
+  SOURCES app/gui/plots/figures.cpp app/gui/plots/plot_view_test.cpp
+  LIBRARIES straightedge::plots
+  LABELS gui)
+straightedge_add_qt_test(NAME gui_plot_picture
+  SOURCES app/gui/plots/figures.cpp app/gui/plots/plot_picture_test.cpp
+  LIBRARIES straightedge::plots
+  LABELS gui)
+straightedge_add_qt_test(NAME gui_surface_view
+  SOURCES app/gui/plots/surface_view_test.cpp
+  LIBRARIES straightedge::surface
+  LABELS gui)

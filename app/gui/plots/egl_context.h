@@ -1,0 +1,32 @@
+// OpenGL without a window system: an EGL context on no surface (Mesa), or on the first EGL device.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <memory>
+
+class vtkGenericOpenGLRenderWindow;
+
+namespace straightedge::gui {
+
+/// Belongs to the thread that made it. Outlives the windows it makes.
+class EglContext {
+public:
+  /// Nothing where there is no EGL with desktop OpenGL 3.2.
+  static std::unique_ptr<EglContext> create();
+  ~EglContext();
+  EglContext(const EglContext&) = delete;
+  EglContext& operator=(const EglContext&) = delete;
+
+  void makeCurrent();
+  bool isCurrent() const;
+  /// A render window that draws off screen in this context.
+  vtkSmartPointer<vtkGenericOpenGLRenderWindow> makeWindow();
+
+private:
+  EglContext();
+  struct Impl;
+  std::unique_ptr<Impl> m_impl;
+};
+
+} // namespace straightedge::gui
