@@ -24,4 +24,9 @@ if(STRAIGHTEDGE_BENCHMARKS)
   straightedge_add_bench(NAME bench_capture_session
     SOURCES bench/capture_session_bench.cpp
     LIBRARIES straightedge::core straightedge::devices)
+  if(STRAIGHTEDGE_GUI)
+    straightedge_add_bench(NAME bench_plots # with QT_QPA_PLATFORM=offscreen
+      SOURCES bench/plots/plot_bench.cpp
+      LIBRARIES straightedge::plots)
+  endif()
 endif()
