@@ -30,3 +30,10 @@ if(STRAIGHTEDGE_BENCHMARKS)
       LIBRARIES straightedge::plots)
   endif()
 endif()
+
+# Any program's first window on an X display; tests/bench/startup compares ours with another.
+find_package(X11)
+if(X11_FOUND AND STRAIGHTEDGE_GUI)
+  add_executable(bench_first_window bench/first_window.cpp)
+  target_link_libraries(bench_first_window PRIVATE straightedge::build_flags X11::X11)
+endif()
