@@ -88,7 +88,7 @@ Result<void> CsvTable::addRow(std::size_t begin, std::size_t end, std::size_t li
   while (true) {
     // A cell that begins with a quote runs to its closing quote; "" inside stands for one.
     std::size_t cellEnd = cellBegin;
-    std::size_t contentBegin = std::min(m_text.find_first_not_of(" ", cellBegin), end);
+    std::size_t contentBegin = std::min(m_text.find_first_not_of(' ', cellBegin), end);
     std::size_t contentEnd = 0;
     if (contentBegin < end && m_text[contentBegin] == '"') {
       std::size_t written = ++contentBegin;
@@ -129,7 +129,7 @@ Result<void> CsvTable::addRow(std::size_t begin, std::size_t end, std::size_t li
   if (m_columns == 0) {
     m_columns = m_cells.size();
     const auto numeric = [&](const Cell& cell) { return isNumber(text(cell), m_layout.separator); };
-    m_layout.hasHeader = std::none_of(m_cells.begin(), m_cells.end(), numeric);
+    m_layout.hasHeader = std::ranges::none_of(m_cells, numeric);
     if (m_layout.hasHeader) {
       m_titles = std::move(m_cells);
       m_cells.clear();
@@ -195,7 +195,7 @@ Result<double> CsvTable::number(std::size_t row, std::size_t column) const {
     return fail(ErrorKind::Input, columnName(column) + " is empty", "fill it in or remove the row", where(row));
   }
   constexpr std::size_t shown = 40;
-  std::string quoted = "\"" + std::string(content.substr(0, shown)) + (content.size() > shown ? "…" : "") + "\"";
+  const std::string quoted = "\"" + std::string(content.substr(0, shown)) + (content.size() > shown ? "…" : "") + "\"";
   const char* remedy = m_layout.decimalPoint == ',' && content.find('.') != std::string_view::npos
                            ? "the file's decimal mark is a comma; use it in every row"
                            : "correct it or remove the row";

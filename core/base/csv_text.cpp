@@ -53,7 +53,7 @@ Result<void> checkCsvText(std::string_view bytes, const std::string& name) {
   if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("\xD0\xCF\x11\xE0")) {
     return fail(ErrorKind::Input, "this is a spreadsheet or an archive, not CSV text", "export the table as CSV", name);
   }
-  const auto control = std::find_if(bytes.begin(), bytes.end(), isControl);
+  const auto control = std::ranges::find_if(bytes, isControl);
   if (control != bytes.end()) {
     const auto position = static_cast<std::size_t>(control - bytes.begin());
     constexpr std::string_view digits = "0123456789abcdef";
@@ -71,7 +71,7 @@ Result<std::string> csvText(std::string bytes, const std::string& name) {
   }
   bytes.erase(0, byteOrderMarkLength(bytes));
   if (bytes.find('\n') == std::string::npos) {
-    std::replace(bytes.begin(), bytes.end(), '\r', '\n');
+    std::ranges::replace(bytes, '\r', '\n');
   }
   return bytes;
 }

@@ -98,7 +98,7 @@ Result<PendingFile> PendingFile::create(const std::string& path) {
   }
   const std::string target = followed(path);
   struct stat status{};
-  mode_t mode = 0666;
+  constexpr mode_t mode = 0666;
   const bool exists = ::stat(target.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) {
     return storageError(path, EISDIR);

@@ -9,7 +9,7 @@ namespace straightedge {
 namespace {
 
 std::string padded(unsigned value, std::size_t digits) {
-  std::string text = std::to_string(value);
+  const std::string text = std::to_string(value);
   return text.size() < digits ? std::string(digits - text.size(), '0') + text : text;
 }
 

@@ -31,12 +31,12 @@ std::optional<double> optionalNumber(JsonReader& reader, const JsonNode& parent,
 
 /// A list if the key is there; no list otherwise.
 JsonNode listIfAny(JsonReader& reader, const JsonNode& parent, std::string_view key) {
-  JsonNode node = parent.optional(key);
+  const JsonNode node = parent.optional(key);
   return node ? reader.list(parent, key) : node;
 }
 
 JsonNode objectIfAny(JsonReader& reader, const JsonNode& parent, std::string_view key) {
-  JsonNode node = parent.optional(key);
+  const JsonNode node = parent.optional(key);
   return node ? reader.object(parent, key) : node;
 }
 
@@ -167,10 +167,9 @@ bool standsFor(const StoredIntegers& stored, const ModelBody& body) {
   const ModelBody rebuilt = bodyOf(stored, body);
   if (const auto* harmonics = std::get_if<HarmonicModel>(&body)) {
     const auto& terms = std::get<HarmonicModel>(rebuilt).terms;
-    return std::equal(terms.begin(), terms.end(), harmonics->terms.begin(), harmonics->terms.end(),
-                      [&](const HarmonicTerm& a, const HarmonicTerm& b) {
-                        return std::abs(a.amplitudeDeg - b.amplitudeDeg) <= allowedDeg;
-                      });
+    return std::ranges::equal(terms, harmonics->terms, [&](const HarmonicTerm& a, const HarmonicTerm& b) {
+      return std::abs(a.amplitudeDeg - b.amplitudeDeg) <= allowedDeg;
+    });
   }
   const auto difference = [&](const auto& a) {
     return (a.valuesDeg - std::get<std::decay_t<decltype(a)>>(rebuilt).valuesDeg).cwiseAbs().maxCoeff();
@@ -305,13 +304,13 @@ Result<AngleCalibration> calibrationFromJson(std::string_view text, const std::s
     return std::unexpected(parsed.error());
   }
   JsonReader reader(name);
-  const JsonNode root{&*parsed, {}};
+  const JsonNode root{.value = &*parsed, .path = {}};
   AngleCalibration calibration;
   if (reader.requireObject(root)) {
     readHead(reader, root);
   }
-  if (reader.problem()) {
-    return std::unexpected(*reader.problem());
+  if (const auto& problem = reader.problem()) {
+    return std::unexpected(*problem);
   }
   calibration.created = textIfAny(reader, root, "created");
   calibration.software = textIfAny(reader, root, "software");
@@ -331,8 +330,8 @@ Result<AngleCalibration> calibrationFromJson(std::string_view text, const std::s
   }
   readUncertainty(reader, root, calibration.uncertainty);
   readHowMade(reader, root, calibration);
-  if (reader.problem()) {
-    return std::unexpected(*reader.problem());
+  if (const auto& problem = reader.problem()) {
+    return std::unexpected(*problem);
   }
   return calibration;
 }

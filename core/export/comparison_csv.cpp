@@ -108,11 +108,11 @@ Result<Comparison> comparisonFromCsv(std::string bytes, const std::string& name)
   }
   Comparison comparison;
   for (std::size_t row = 0; row < table->rows(); ++row) {
-    auto entry = readRow(*table, row, *columns);
+    const auto entry = readRow(*table, row, *columns);
     if (!entry) {
-      return std::unexpected(std::move(entry.error()));
+      return std::unexpected(entry.error());
     }
-    comparison.rows.push_back(std::move(*entry));
+    comparison.rows.push_back(*entry);
   }
   return comparison;
 }

@@ -29,7 +29,7 @@ Result<json> parseJson(std::string_view text, const std::string& name) {
 }
 
 JsonNode JsonNode::optional(std::string_view key) const {
-  JsonNode child{nullptr, path.empty() ? std::string(key) : path + "." + std::string(key)};
+  JsonNode child{.value = nullptr, .path = path.empty() ? std::string(key) : path + "." + std::string(key)};
   if (value != nullptr && value->is_object()) {
     const auto found = value->find(std::string(key));
     if (found != value->end() && !found->is_null()) {
@@ -40,12 +40,12 @@ JsonNode JsonNode::optional(std::string_view key) const {
 }
 
 JsonNode JsonNode::item(std::size_t index) const {
-  return {&(*value)[index], path + "[" + std::to_string(index) + "]"};
+  return {.value = &(*value)[index], .path = path + "[" + std::to_string(index) + "]"};
 }
 
 void JsonReader::blame(std::string what, std::string remedy) {
   if (!m_problem) {
-    m_problem = Error{ErrorKind::Input, std::move(what), std::move(remedy), m_name};
+    m_problem = Error{.kind = ErrorKind::Input, .what = std::move(what), .remedy = std::move(remedy), .where = m_name};
   }
 }
 

@@ -5,3 +5,8 @@ straightedge_add_test(NAME cli
   LIBRARIES straightedge::core nlohmann_json::nlohmann_json
   LABELS cli)
 add_dependencies(cli straightedge-cli)
+
+straightedge_add_test(NAME cli_threads
+  SOURCES app/cli/parallel_work_test.cpp
+  LIBRARIES straightedge::cli_commands
+  LABELS cli threads)
