@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <limits>
+#include <semaphore>
 #include <set>
 #include <thread>
 
@@ -36,6 +37,15 @@ protected:
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
+  /// Holds the capture thread in a hook while the controlling thread acts.
+  struct Meeting {
+    std::binary_semaphore reached{0};
+    std::binary_semaphore goOn{0};
+    void hold() {
+      reached.release();
+      goOn.acquire();
+    }
+  };
   void expectEachPointOnce(const AnglePlan& plan) const {
     const auto samples = m_sink.committed();
     ASSERT_EQ(samples.size(), plannedPoints(plan).size() * static_cast<std::size_t>(plan.averages));
@@ -151,11 +161,15 @@ TEST_F(CaptureControlTest, ASinkThatFailsEndsTheCaptureWithItsError) {
 TEST_F(CaptureControlTest, AStoppedSweepIsResumedWithoutRepeatingAnything) {
   {
     AngleCapture capture(bench(), m_sink);
-    m_sensor.at(47, [&capture] {
-      capture.stop();
+    Meeting meeting;
+    m_sensor.at(47, [&meeting] {
+      meeting.hold();
       return std::nullopt;
     });
     ASSERT_TRUE(capture.start(m_plan));
+    meeting.reached.acquire();
+    capture.stop();
+    meeting.goOn.release();
     capture.waitUntilDone();
     EXPECT_EQ(capture.progress().state, CaptureState::Stopped);
   }
@@ -242,8 +256,12 @@ TEST_F(CaptureControlTest, FreeRunningPausesAndPassesTheBrokenSectorAgain) {
 TEST_F(CaptureControlTest, FreeRunningIsResumedFromWhatIsStored) {
   {
     AngleCapture capture(bench(), m_sink);
-    m_stream.at(50, [&capture](StreamBlock&) { capture.stop(); });
+    Meeting meeting;
+    m_stream.at(50, [&meeting](StreamBlock&) { meeting.hold(); });
     ASSERT_TRUE(capture.start(m_freeRunning));
+    meeting.reached.acquire();
+    capture.stop();
+    meeting.goOn.release();
     capture.waitUntilDone();
     ASSERT_EQ(capture.progress().state, CaptureState::Stopped);
   }

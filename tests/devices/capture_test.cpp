@@ -56,6 +56,22 @@ TEST(AngleCaptureTest, MeasuresEveryPlannedPointInOrder) {
   EXPECT_TRUE(capture.takeNewSamples().empty());
 }
 
+TEST(AngleCaptureTest, ComesToEveryPointFromItsDirectionAlsoAtTheStartAndTheReversal) {
+  SimulatedAngleSettings settings = virtualBench();
+  settings.noiseDeg = 0.0;
+  settings.sensorBits = 0;
+  settings.hysteresisDeg = 0.5;
+  SimulatedAngleBench bench(settings);
+  tests::MemorySink sink;
+  AngleCapture capture(bench.bench(), sink);
+  ASSERT_TRUE(capture.start({.pointsPerTurn = 16, .bothDirections = true}));
+  capture.waitUntilDone();
+  for (const auto& sample : sink.committed()) {
+    const double away = std::remainder(sample.sensorDeg - bench.trueSensorDeg(sample.encoderDeg), 360.0);
+    EXPECT_NEAR(away, -0.5 * sample.direction, 1e-3) << "point " << sample.point;
+  }
+}
+
 TEST(AngleCaptureTest, FreeRunningPassesEverySectorAtTheRate) {
   SimulatedAngleBench bench(virtualBench());
   tests::MemorySink sink;
