@@ -208,7 +208,7 @@ bool CapturePresenter::canStop() const { return m_bench.isCapturing(); }
 void CapturePresenter::stop() { m_bench.stopCapture(); }
 
 bool CapturePresenter::canRedo(std::optional<int> planPoint) const {
-  return planPoint && m_bench.isConnected() && m_points.isMeasured(*planPoint);
+  return planPoint && m_bench.isConnected() && m_phase != Phase::Interrupted && m_points.isMeasured(*planPoint);
 }
 
 void CapturePresenter::redo(int planPoint) {
