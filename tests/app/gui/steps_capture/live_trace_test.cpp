@@ -55,7 +55,8 @@ void LiveTraceTest::decreasingSensorIsRecognised() {
     trace.add(all, all.size() - 1);
   }
   QVERIFY(trace.decreasing());
-  for (const double error : trace.errorPlot().series[0].y) { // 360 − sensor − encoder
+  const PlotSpec plot = trace.errorPlot();
+  for (const double error : plot.series[0].y) { // 360 − sensor − encoder
     QVERIFY(std::abs(error - 60.0) < 1e-9);
   }
 }
