@@ -78,7 +78,7 @@ void BenchLinkTest::stoppedSweepIsResumed() {
   OpenCalibration open;
   QVERIFY(open.connectFast());
   QSignalSpy ended(&open.bench, &BenchLink::captureEnded);
-  const devices::AnglePlan plan = planOf(4000);
+  const devices::AnglePlan plan = planOf(30000);
   QVERIFY(open.bench.startCapture(plan, SweepRole::Calibration, false).has_value());
   open.bench.pauseCapture();
   QTRY_COMPARE(open.bench.progress().state, CaptureState::Paused);
@@ -87,10 +87,10 @@ void BenchLinkTest::stoppedSweepIsResumed() {
   open.bench.stopCapture();
   QTRY_COMPARE(ended.count(), 1);
   const auto begun = open.document.sweep().size();
-  QVERIFY(begun > 0 && begun < 4000);
+  QVERIFY(begun > 0 && begun < 30000);
   QCOMPARE(open.bench.interruptedPlan(SweepRole::Calibration), std::optional(plan));
   QVERIFY(open.captureToTheEnd(plan, SweepRole::Calibration, true));
-  QCOMPARE(open.document.sweep().size(), std::size_t{4000});
+  QCOMPARE(open.document.sweep().size(), std::size_t{30000});
   QVERIFY(!open.bench.interruptedPlan(SweepRole::Calibration));
 }
 

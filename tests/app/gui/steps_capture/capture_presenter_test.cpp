@@ -77,7 +77,7 @@ void CapturePresenterTest::pausesResumesStopsAndContinues() {
   OpenCalibration open;
   CapturePresenter presenter(open.document, open.bench);
   QVERIFY(open.connectFast());
-  presenter.setPlan(planOf(4000));
+  presenter.setPlan(planOf(30000));
   QSignalSpy ended(&open.bench, &BenchLink::captureEnded);
   presenter.start();
   presenter.pause();
@@ -90,11 +90,11 @@ void CapturePresenterTest::pausesResumesStopsAndContinues() {
   QCOMPARE(presenter.phase(), Phase::Interrupted);
   QVERIFY(presenter.canContinueInterrupted());
   const int measured = presenter.points().measuredPoints();
-  QVERIFY(measured > 0 && measured < 4000);
+  QVERIFY(measured > 0 && measured < 30000);
   presenter.continueInterrupted();
   QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 2, 60000);
   QCOMPARE(presenter.phase(), Phase::Ready);
-  QCOMPARE(presenter.points().measuredPoints(), 4000);
+  QCOMPARE(presenter.points().measuredPoints(), 30000);
 }
 
 void CapturePresenterTest::redoesMeasuredPointsOnly() {

@@ -62,7 +62,7 @@ void ReviewTest::outlierAmongNeighboursIsFoundAlone() {
   const auto analysis = analyseForReview(sweep, &*run);
   QVERIFY(analysis.has_value());
   QCOMPARE(analysis->outliers, std::vector<std::size_t>{17});
-  QVERIFY(std::abs(analysis->rows[17].residualDeg + 2.0) < 0.1); // a correction that is 2° too small
+  QVERIFY(std::abs(analysis->rows[17].residualDeg + 2.0) < 0.4); // 2° too small, read off at a reading 2° further on
 }
 
 void ReviewTest::outlierAboutRegressionIsFound() {
