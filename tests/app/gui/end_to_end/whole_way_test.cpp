@@ -177,7 +177,7 @@ void WholeWayTest::fitAndCompare() {
   const angle::ModelName chosenBefore = document.choices().selected;
   const QList<PlotSeries> series = plot->spec().series;
   const auto linear = std::find_if(series.begin(), series.end(), [](const PlotSeries& each) {
-    return !each.pointLabels.isEmpty() && each.pointLabels.front().startsWith(QStringLiteral("linear"));
+    return each.name.startsWith(QStringLiteral("Linear"));
   });
   QVERIFY(linear != series.end());
   m_driver->clickPoint(*plot, static_cast<int>(linear - series.begin()), 3);
