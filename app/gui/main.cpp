@@ -1,6 +1,67 @@
+#include "app/gui/figures/render_command.h"
+#include "app/gui/shell/main_window.h"
+#include "app/gui/shell/program_start.h"
+
+#include <QApplication>
+#include <QTimer>
+
 #include <cstdio>
 
-int main() {
-  std::puts("straightedge " STRAIGHTEDGE_VERSION);
-  return 0;
+namespace {
+
+constexpr int wrongUsage = 2;
+
+QStringList argumentsOf(int argc, char** argv) {
+  QStringList arguments;
+  for (int i = 1; i < argc; ++i) {
+    arguments << QString::fromLocal8Bit(argv[i]);
+  }
+  return arguments;
+}
+
+int refuse(const QString& problem) {
+  std::fputs(qPrintable("straightedge: " + problem + "\n"), stderr);
+  return wrongUsage;
+}
+
+/// Pictures and report need fonts, but no display; whatever platform the environment names stays out of it.
+int renderWithoutWindow(int argc, char** argv, const QStringList& arguments) {
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  const QGuiApplication application(argc, argv);
+  return straightedge::gui::renderCalibration(arguments.mid(arguments.indexOf("--render") + 1));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  using namespace straightedge::gui;
+  const QStringList arguments = argumentsOf(argc, argv);
+  const ProgramOptions options = parseProgramOptions(arguments);
+  if (!options.problem.isEmpty()) {
+    return refuse(options.problem);
+  }
+  if (options.help) {
+    std::fputs(qPrintable(programUsage()), stdout);
+    return 0;
+  }
+  if (options.version) {
+    std::puts("straightedge " STRAIGHTEDGE_VERSION);
+    return 0;
+  }
+  if (options.render) {
+    return renderWithoutWindow(argc, argv, arguments);
+  }
+  if (const QString problem = missingDisplay(); !problem.isEmpty()) {
+    return refuse(problem);
+  }
+  QApplication application(argc, argv);
+  prepareApplication(application);
+  MainWindow window;
+  window.show();
+  if (options.simulated) {
+    QTimer::singleShot(0, &window, &MainWindow::startSimulatedBench);
+  } else if (!options.files.isEmpty()) {
+    QTimer::singleShot(0, &window, [&window, file = options.files.first()] { window.openFile(file); });
+  }
+  return QApplication::exec();
 }
