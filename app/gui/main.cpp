@@ -24,13 +24,6 @@ int refuse(const QString& problem) {
   return wrongUsage;
 }
 
-/// Pictures and report need fonts, but no display; whatever platform the environment names stays out of it.
-int renderWithoutWindow(int argc, char** argv, const QStringList& arguments) {
-  qputenv("QT_QPA_PLATFORM", "offscreen");
-  const QGuiApplication application(argc, argv);
-  return straightedge::gui::renderCalibration(arguments.mid(arguments.indexOf("--render") + 1));
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
@@ -49,7 +42,9 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (options.render) {
-    return renderWithoutWindow(argc, argv, arguments);
+    qputenv("QT_QPA_PLATFORM", "offscreen"); // before the first QGuiApplication
+    const QGuiApplication application(argc, argv);
+    return renderCalibration(arguments.mid(arguments.indexOf("--render") + 1));
   }
   if (const QString problem = missingDisplay(); !problem.isEmpty()) {
     return refuse(problem);

@@ -18,7 +18,7 @@ AngleDocument::AngleDocument(JobRunner& jobs, QObject* parent)
     emit titleChanged();
     emit storageFailed(message);
   });
-  connect(&m_impl->binding, &SessionBinding::recovered, this, &AngleDocument::titleChanged);
+  connect(&m_impl->binding, &SessionBinding::written, this, &AngleDocument::titleChanged);
   connect(&m_impl->undo, &QUndoStack::indexChanged, this, &AngleDocument::titleChanged);
 }
 

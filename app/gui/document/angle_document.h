@@ -43,6 +43,8 @@ public:
 
   // Life
   Result<void> createScratch();           ///< a new, unnamed session
+  /// Whether open() would take the file; nothing that is open is touched. Errors: those of open().
+  static Result<void> probe(const QString& file);
   Result<void> open(const QString& file); ///< a file of the scratch folder is recovered: it stays unnamed
   Result<void> saveAs(const QString& file);
   /// Commits and checkpoints. A scratch file with content stays and can be opened again ("keep for later"); an empty

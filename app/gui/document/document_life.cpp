@@ -31,18 +31,21 @@ Result<void> AngleDocument::createScratch() {
   return {};
 }
 
-Result<void> AngleDocument::open(const QString& file) {
-  const QString absolute = QFileInfo(file).absoluteFilePath();
-  if (isOpen() && absolute == m_impl->file) {
-    return {};
-  }
-  std::unique_ptr<QLockFile> lock;
+namespace {
+
+struct OpenedSession {
+  std::unique_ptr<QLockFile> lock; ///< of a scratch file
+  std::unique_ptr<session::Session> session;
+};
+
+Result<OpenedSession> openAngleSession(const QString& absolute) {
+  OpenedSession result;
   if (ScratchFolder::contains(absolute)) {
     auto taken = ScratchFolder::lock(absolute);
     if (!taken) {
       return std::unexpected(std::move(taken.error()));
     }
-    lock = std::move(*taken);
+    result.lock = std::move(*taken);
   }
   auto session = session::Session::open(pathOf(absolute));
   if (!session) {
@@ -52,10 +55,33 @@ Result<void> AngleDocument::open(const QString& file) {
     return fail(ErrorKind::Input, "this session is not an angle calibration", "open a session of an angle calibration",
                 absolute.toStdString());
   }
+  result.session = std::move(*session);
+  return result;
+}
+
+} // namespace
+
+Result<void> AngleDocument::probe(const QString& file) {
+  auto opened = openAngleSession(QFileInfo(file).absoluteFilePath());
+  if (!opened) {
+    return std::unexpected(std::move(opened.error()));
+  }
+  return opened->session->close();
+}
+
+Result<void> AngleDocument::open(const QString& file) {
+  const QString absolute = QFileInfo(file).absoluteFilePath();
+  if (isOpen() && absolute == m_impl->file) {
+    return {};
+  }
+  auto opened = openAngleSession(absolute);
+  if (!opened) {
+    return std::unexpected(std::move(opened.error()));
+  }
   if (auto closed = close(); !closed) {
     return closed; // the one that is open could not be written: better to keep it in sight
   }
-  m_impl->adopt(std::move(*session), absolute, std::move(lock));
+  m_impl->adopt(std::move(opened->session), absolute, std::move(opened->lock));
   return {};
 }
 

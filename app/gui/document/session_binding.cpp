@@ -58,6 +58,7 @@ Result<void> SessionBinding::flush() {
     return {};
   }
   Result<void> outcome;
+  const bool hadPending = !m_pending.empty();
   for (auto next = m_pending.begin(); next != m_pending.end();) {
     auto written = next->second(*m_session);
     if (written) {
@@ -73,8 +74,8 @@ Result<void> SessionBinding::flush() {
     if (!failedBefore) {
       emit failed(QString::fromStdString(outcome.error().message()));
     }
-  } else if (failedBefore) {
-    emit recovered();
+  } else if (hadPending || failedBefore) {
+    emit written();
   }
   return outcome;
 }

@@ -10,22 +10,13 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Smallest and largest row of the pixel column that is being filled, and where the column is in data units: comparing
-/// with these is quicker than finding the column of every point.
+/// Smallest and largest row of the pixel column that is being filled.
 struct Column {
-  double from = nan, to = nan; ///< NaN: none is being filled
+  double index = nan;
   std::size_t first = 0, lowest = 0, highest = 0, last = 0;
 
-  bool empty() const { return std::isnan(from); }
-  bool contains(double x) const { return x >= from && x < to; } // false while empty
-  void start(double x, const AxisScale& scale, int columns, std::size_t row) {
-    const double index = std::floor(scale.toUnit(x) * columns);
-    from = scale.fromUnit(index / columns);
-    to = scale.fromUnit((index + 1.0) / columns);
-    if (x >= to) { // rounding
-      from = to;
-      to = scale.fromUnit((index + 2.0) / columns);
-    }
+  void start(double column, std::size_t row) {
+    index = column;
     first = lowest = highest = last = row;
   }
 };
@@ -112,7 +103,7 @@ std::vector<UnitPoint> decimate(std::span<const double> x, std::span<const doubl
 
   Column column;
   const auto flush = [&] {
-    if (column.empty()) {
+    if (std::isnan(column.index)) {
       return;
     }
     const std::size_t nearer = std::min(column.lowest, column.highest);
@@ -124,8 +115,9 @@ std::vector<UnitPoint> decimate(std::span<const double> x, std::span<const doubl
         previous = row;
       }
     }
-    column.from = column.to = nan;
+    column.index = nan;
   };
+  const double perColumn = columns / (xScale.maximum - xScale.minimum);
   for (std::size_t row = first; row < last; ++row) {
     const double value = y[row];
     if (!drawable(value, yScale) || !drawable(x[row], xScale)) {
@@ -133,9 +125,12 @@ std::vector<UnitPoint> decimate(std::span<const double> x, std::span<const doubl
       gap();
       continue;
     }
-    if (!column.contains(x[row])) {
+    const double position =
+        xScale.logarithmic ? xScale.toUnit(x[row]) * columns : (x[row] - xScale.minimum) * perColumn;
+    const double index = std::floor(position);
+    if (index != column.index) {
       flush();
-      column.start(x[row], xScale, columns, row);
+      column.start(index, row);
       continue;
     }
     column.last = row;

@@ -11,7 +11,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace straightedge::gui {
 
@@ -70,6 +72,7 @@ DetailsDialog::DetailsDialog(const Traceability& traceability, QWidget* parent) 
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   layout->addWidget(buttons);
+  alignLabels();
   resize(460, sizeHint().height());
   check();
 }
@@ -81,6 +84,22 @@ QFormLayout* DetailsDialog::addGroup(const QString& title) {
   form->setLabelAlignment(Qt::AlignLeft);
   layout()->addWidget(group);
   return form;
+}
+
+void DetailsDialog::alignLabels() {
+  // The groups have forms of their own; their fields should still begin at one line.
+  int widest = 0;
+  const auto groups = findChildren<QGroupBox*>();
+  QList<QLabel*> labels;
+  for (const QGroupBox* group : groups) {
+    labels += group->findChildren<QLabel*>();
+  }
+  for (const QLabel* label : std::as_const(labels)) {
+    widest = std::max(widest, label->sizeHint().width());
+  }
+  for (QLabel* label : std::as_const(labels)) {
+    label->setMinimumWidth(widest);
+  }
 }
 
 QLineEdit* DetailsDialog::addText(QFormLayout& form, const QString& label, const std::string& value, const char* name) {

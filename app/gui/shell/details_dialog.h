@@ -23,6 +23,7 @@ public:
 private:
   QLineEdit* addText(QFormLayout& form, const QString& label, const std::string& value, const char* name);
   QFormLayout* addGroup(const QString& title);
+  void alignLabels();
   void check();
 
   QLineEdit* m_serial = nullptr;

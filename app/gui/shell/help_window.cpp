@@ -49,6 +49,7 @@ HelpWindow::HelpWindow(QWidget* parent)
   }
   m_contents->setFrameShape(QFrame::NoFrame);
   m_contents->setMinimumWidth(150);
+  m_contents->setStyleSheet("QListWidget { padding: 14px 0px; } QListWidget::item { padding: 4px 14px; }");
   m_browser->setFrameShape(QFrame::NoFrame);
   m_browser->setOpenLinks(false);
   m_browser->document()->setDocumentMargin(22);

@@ -1,7 +1,5 @@
 #include "app/gui/shell/import_presenter.h"
 
-#include "core/base/number_text.h"
-
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -12,7 +10,8 @@ namespace straightedge::gui {
 namespace {
 QString say(const char* text) { return QCoreApplication::translate("ImportPresenter", text); }
 
-QString number(double value) { return QString::fromStdString(formatForPeople(value, 7)); }
+/// Seven digits at most, as short as they can be.
+QString number(double value) { return QString::number(value, 'g', 7); }
 } // namespace
 
 ImportPresenter::ImportPresenter(angle::CsvPreview preview)

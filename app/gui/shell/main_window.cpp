@@ -11,6 +11,7 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -134,6 +135,7 @@ void MainWindow::showStart() {
     m_stepPages[static_cast<std::size_t>(m_currentStep)]->left();
   }
   m_currentStep = -1;
+  statusBar()->clearMessage();
   m_start->refresh();
   m_outer->setCurrentIndex(0);
   updateActions();
@@ -151,8 +153,15 @@ void MainWindow::createPage(int step) {
   }
   auto* page = stepCatalogue()[index].make({m_document, m_bench, m_jobs}, m_pages);
   m_stepPages[index] = page;
-  m_pages->addWidget(page);
+  // On a small or strongly scaled screen a page scrolls instead of making the window larger than the screen.
+  auto* scroll = new QScrollArea(m_pages);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(page);
+  m_pages->addWidget(scroll);
   connect(page, &StepPage::availabilityChanged, this, &MainWindow::updateSteps);
+  connect(page, &StepPage::detailsRequested, this, &MainWindow::showDetails);
   connect(page, &StepPage::goToStep, this, [this](const QString& title) {
     if (const int target = stepIndex(title); target >= 0) {
       goToStep(target);
@@ -174,7 +183,7 @@ void MainWindow::goToStep(int step) {
       page->left();
     }
     m_currentStep = step;
-    m_pages->setCurrentWidget(next);
+    m_pages->setCurrentWidget(next->parentWidget()->parentWidget()); // the page's scroll area
     next->entered();
   }
   updateSteps();

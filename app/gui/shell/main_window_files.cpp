@@ -100,10 +100,15 @@ bool MainWindow::openSession(const QString& file) {
   if (m_document.isOpen() && m_document.file() == file) {
     return true;
   }
+  m_messages->dismiss();
+  // Asked before the open calibration is closed for its sake.
+  if (auto possible = AngleDocument::probe(file); !possible) {
+    complain(possible.error());
+    return false;
+  }
   if (!leaveCalibration()) {
     return false;
   }
-  m_messages->dismiss();
   if (auto opened = m_document.open(file); !opened) {
     complain(opened.error());
     showStart();

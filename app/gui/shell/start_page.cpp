@@ -30,6 +30,7 @@ QLabel* heading(const QString& text, qreal scale, QWidget* parent) {
 void clear(QVBoxLayout& layout) {
   while (auto* item = layout.takeAt(0)) {
     if (item->widget() != nullptr) {
+      item->widget()->hide(); // gone from sight at once, not with the next turn of the event loop
       item->widget()->deleteLater();
     }
     delete item;
@@ -156,7 +157,7 @@ void StartPage::fillUnsaved() {
   m_unsavedBox->setVisible(!entries.isEmpty());
   for (const auto& entry : entries) {
     const QString when = QLocale().toString(entry.modified, QLocale::ShortFormat);
-    const QString size = QLocale().formattedDataSize(QFileInfo(entry.file).size());
+    const QString size = QLocale().formattedDataSize(QFileInfo(entry.file).size(), 0);
     auto* row = new FileRow(tr("Untitled, last changed %1").arg(when), tr("Not saved under a name yet · %1").arg(size),
                             true, tr("Delete this unsaved calibration"), m_unsavedBox);
     row->setObjectName("unsavedRow");

@@ -1,5 +1,7 @@
 #include "app/gui/shell/table_clipboard.h"
 
+#include "app/gui/plots/plot_view.h"
+
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QClipboard>
@@ -58,6 +60,10 @@ QString tableText(const QAbstractItemView& view) {
 bool copyFrom(QWidget* widget) {
   if (widget == nullptr) {
     return false;
+  }
+  if (const auto* plot = qobject_cast<PlotView*>(widget)) {
+    QApplication::clipboard()->setImage(plot->picture(plot->size(), 2.0));
+    return true;
   }
   if (widget->metaObject()->indexOfMethod("copy()") >= 0) {
     return QMetaObject::invokeMethod(widget, "copy");

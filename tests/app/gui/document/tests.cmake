@@ -1,0 +1,4 @@
+straightedge_add_qt_test(NAME gui_document
+  SOURCES app/gui/document/angle_document_test.cpp
+  LIBRARIES straightedge::window
+  LABELS gui)
