@@ -10,7 +10,7 @@ QString say(const char* text) { return QCoreApplication::translate("Examples", t
 
 QList<Example> examples() {
   return {{":/examples/side_shaft_32.csv", say("Side-shaft magnet, 32 points"),
-           say("One turn in steps of 11.25°; the raw error exceeds 20°")}};
+           say("Steps of 11.25°, raw error above 20°")}};
 }
 
 } // namespace straightedge::gui

@@ -9,6 +9,7 @@
 #include <QSplitter>
 #include <QTextBrowser>
 #include <QTextDocument>
+#include <QVBoxLayout>
 
 #include <array>
 
@@ -49,12 +50,18 @@ HelpWindow::HelpWindow(QWidget* parent)
   }
   m_contents->setFrameShape(QFrame::NoFrame);
   m_contents->setMinimumWidth(150);
-  m_contents->setStyleSheet("QListWidget { padding: 14px 0px; } QListWidget::item { padding: 4px 14px; }");
+  m_contents->setSpacing(3);
+  auto* rail = new QFrame(this);
+  rail->setBackgroundRole(QPalette::Base);
+  rail->setAutoFillBackground(true);
+  auto* railLayout = new QVBoxLayout(rail);
+  railLayout->setContentsMargins(10, 14, 10, 14);
+  railLayout->addWidget(m_contents);
   m_browser->setFrameShape(QFrame::NoFrame);
   m_browser->setOpenLinks(false);
   m_browser->document()->setDocumentMargin(22);
   auto* splitter = new QSplitter(this);
-  splitter->addWidget(m_contents);
+  splitter->addWidget(rail);
   splitter->addWidget(m_browser);
   splitter->setStretchFactor(1, 1);
   splitter->setSizes({190, 650});

@@ -186,6 +186,13 @@ void MainWindow::goToStep(int step) {
     m_pages->setCurrentWidget(next->parentWidget()->parentWidget()); // the page's scroll area
     next->entered();
   }
+  // The keyboard goes on where the eye is: on the rail's entry of this step, or in the page.
+  const auto* focused = focusWidget();
+  if (focused == nullptr || m_stepBar->isAncestorOf(focused)) {
+    m_stepBar->button(static_cast<std::size_t>(step))->setFocus();
+  } else if (!next->isAncestorOf(focused)) {
+    next->setFocus();
+  }
   updateSteps();
   updateActions();
 }
