@@ -30,10 +30,16 @@ PlotGuide guide(const char* id, const QString& label, bool vertical, double valu
   return line;
 }
 
+/// Three digits: the leave-one-out error is not known better.
+double rounded(double valueDeg) {
+  const double unit = std::pow(10.0, std::floor(std::log10(valueDeg)) - 2.0);
+  return std::round(valueDeg / unit) * unit;
+}
+
 void addGuides(PlotSpec& spec, const ComparisonFigureOptions& options) {
   if (options.leaveOneOutDeg && *options.leaveOneOutDeg >= smallestErrorShownDeg) {
-    PlotGuide data = guide("data", QStringLiteral("Data support"), false, *options.leaveOneOutDeg, SeriesColor::Muted,
-                           QStringLiteral("°"));
+    PlotGuide data = guide("data", QStringLiteral("Data support"), false, rounded(*options.leaveOneOutDeg),
+                           SeriesColor::Muted, QStringLiteral("°"));
     data.draggable = false;
     spec.guides.append(data);
   }
@@ -45,7 +51,7 @@ void addGuides(PlotSpec& spec, const ComparisonFigureOptions& options) {
     const bool bytes = options.storage == StorageMeasure::Bytes;
     spec.guides.append(guide(budgetGuide, QStringLiteral("Budget"), true,
                              budgetOnAxis(*options.budgetEntries, options.storage, options.bits), SeriesColor::Bad,
-                             bytes ? QStringLiteral(" bytes") : QStringLiteral(" entries")));
+                             bytes ? QStringLiteral("bytes") : QStringLiteral("entries")));
   }
 }
 

@@ -119,9 +119,17 @@ Result<QStringList> writeFiles(const Files& files, const QString& folder, const 
     names.append(file.name);
     job.report(static_cast<double>(names.size()) / static_cast<double>(files.size()));
   }
-  for (PendingFile& file : pending) {
-    if (const Result<void> committed = file.commit(Durability::Cached); !committed) {
-      return std::unexpected(committed.error());
+  if (job.stopRequested()) {
+    return fail(ErrorKind::Cancelled, "the export was stopped", "nothing was written", folder.toStdString());
+  }
+  for (std::size_t i = 0; i < pending.size(); ++i) {
+    if (const Result<void> committed = pending[i].commit(Durability::Cached); !committed) {
+      Error error = committed.error();
+      if (i > 0) {
+        error.what += "; " + std::to_string(i) + " of " + std::to_string(pending.size()) +
+                      " files are new already, up to " + names[static_cast<qsizetype>(i) - 1].toStdString();
+      }
+      return std::unexpected(std::move(error));
     }
   }
   return names;

@@ -39,8 +39,10 @@ struct FileToWrite {
 /// Cheap: bytes are made only when asked for.
 std::vector<FileToWrite> filesToWrite(const std::shared_ptr<const AngleResults>& results, const ExportChoices& choices);
 
-/// Writes them below `folder`, which is made where it is missing. Names appear only after every file was written:
-/// after an error or a cancelled job the folder holds what it held before (or nothing but empty folders).
+/// Writes them below `folder`, which is made where it is missing. Every file is written whole under a temporary name
+/// before the first takes its name: stopped or failed until then, the files that were there stay as they were (folders
+/// made on the way stay, empty). Giving the names takes no room and is not interrupted; should it fail half-way all the
+/// same (somebody else changes the folder), the error says which files are new.
 /// Returns the names written. Errors: Storage, Cancelled.
 Result<QStringList> writeFiles(const std::vector<FileToWrite>& files, const QString& folder, const JobControl& job);
 

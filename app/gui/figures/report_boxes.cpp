@@ -18,7 +18,7 @@ const QColor ink(0x1d, 0x24, 0x30);
 const QColor quiet(0x5a, 0x64, 0x73);
 constexpr int bodyPixels = 13;
 constexpr int captionPixels = 12;
-constexpr double figureShare = 0.46; ///< height of a figure as a share of the text width
+constexpr double figureShare = 0.38; ///< height of a figure as a share of the text width: three to a page
 
 std::shared_ptr<QTextDocument> wrapped(const QString& text, const QFont& font, double width) {
   auto document = std::make_shared<QTextDocument>();

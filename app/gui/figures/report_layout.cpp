@@ -17,6 +17,15 @@ QList<QList<PlacedBox>> paginate(const QList<ReportBox>& boxes, double height) {
   QList<QList<PlacedBox>> pages;
   QList<PlacedBox> page;
   double y = 0.0;
+  const auto turnTo = [&](int next) {
+    pages.append(page);
+    page.clear();
+    y = 0.0;
+    if (const int header = boxes[next].repeats; header >= 0) {
+      page.append({y, header});
+      y += boxes[header].height;
+    }
+  };
   for (int first = 0; first < boxes.size();) {
     int last = first; // the group that must not be torn apart
     double needed = boxes[first].height;
@@ -25,15 +34,11 @@ QList<QList<PlacedBox>> paginate(const QList<ReportBox>& boxes, double height) {
       needed += boxes[last].spaceBefore + boxes[last].height;
     }
     if (!page.isEmpty() && y + boxes[first].spaceBefore + needed > height) {
-      pages.append(page);
-      page.clear();
-      y = 0.0;
+      turnTo(first);
     }
     for (int i = first; i <= last; ++i) {
       if (!page.isEmpty() && i > first && y + boxes[i].spaceBefore + boxes[i].height > height) {
-        pages.append(page); // a group taller than a page is torn after all
-        page.clear();
-        y = 0.0;
+        turnTo(i); // a group taller than a page is torn after all
       }
       y += page.isEmpty() ? 0.0 : boxes[i].spaceBefore;
       page.append({y, i});

@@ -18,6 +18,7 @@ struct ReportBox {
   double height = 0.0;
   double spaceBefore = 0.0; ///< left out at the top of a page
   bool keepWithNext = false;
+  int repeats = -1; ///< a table's header, drawn again where this box begins a page; −1: none
   std::function<void(QPainter&, QPointF)> draw;
 };
 
@@ -29,7 +30,8 @@ struct PlacedBox {
 /// Boxes of one report in reading order; `width` is the text width.
 QList<ReportBox> reportBoxes(const ReportContent& content, double width);
 
-/// Pages of boxes; `height` is the usable height of a page. A box that is kept with the next moves with it.
+/// Pages of boxes; `height` is the usable height of a page. A box that is kept with the next moves with it. Every box
+/// occurs once, headers of tables once more on every page that their table goes on to.
 QList<QList<PlacedBox>> paginate(const QList<ReportBox>& boxes, double height);
 
 } // namespace straightedge::gui

@@ -91,16 +91,19 @@ void addBoxes(QList<ReportBox>& boxes, const ReportTable& table, double width) {
     boxes.append(caption);
     spaceBefore = 2.0;
   }
+  int headerBox = -1;
   if (!table.header.isEmpty()) {
     ReportBox header = rowBox(table, table.header, widths, true);
     header.spaceBefore = spaceBefore;
     header.keepWithNext = true;
+    headerBox = static_cast<int>(boxes.size());
     boxes.append(header);
     spaceBefore = 0.0;
   }
   for (qsizetype r = 0; r < table.rows.size(); ++r) {
     ReportBox row = rowBox(table, table.rows[r], widths, false);
     row.spaceBefore = r == 0 ? spaceBefore : 0.0;
+    row.repeats = headerBox;
     row.keepWithNext = r + 1 < table.rows.size() && (r + 1 < rowsKept || r + rowsKept >= table.rows.size());
     boxes.append(row);
   }

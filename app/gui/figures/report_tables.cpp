@@ -43,7 +43,7 @@ ReportTable modelsTable(const angle::AngleCalibration& calibration) {
 namespace {
 
 void addValues(ReportTable& table, const Eigen::VectorXd& values, int limit) {
-  constexpr int columns = 4;
+  constexpr int columns = 3; // as many as fit the width of a page
   const int shown = std::min(limit, static_cast<int>(values.size()));
   const int rows = (shown + columns - 1) / columns;
   for (int c = 0; c < columns; ++c) {

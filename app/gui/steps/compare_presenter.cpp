@@ -190,14 +190,16 @@ void ComparePresenter::onChoices() {
   sameButDemands.targetErrorDeg = previous.targetErrorDeg;
   sameButDemands.budgetEntries = previous.budgetEntries;
   const bool onlyDemands = sameButDemands == previous;
-  if (onlyDemands && m_figure) {
+  if (!onlyDemands) {
+    rebuild();
+    return;
+  }
+  if (m_figure) {
     for (PlotGuide& guide : m_figure->spec.guides) {
       if (guide.draggable) {
         guide.value = guideValue(guide.id);
       }
     }
-  } else {
-    rebuild();
   }
   emit demandsChanged();
 }

@@ -23,6 +23,26 @@
 
 namespace straightedge::gui {
 
+namespace {
+
+/// By the longest text that can occur: measuring thousands of rows after every change would take too long.
+void setColumnWidths(QTableView& table) {
+  const QAbstractItemModel& model = *table.model();
+  const QFontMetrics metrics = table.fontMetrics();
+  const int padding = 5 * metrics.averageCharWidth(); // margins and the arrow of the sorted column
+  for (int c = 0; c < model.columnCount(); ++c) {
+    QString widest = model.headerData(c, Qt::Horizontal).toString();
+    if (c == ComparisonTable::Model) {
+      widest = modelNameText({angle::ModelKind::LookupTable, 1024, angle::FitMethod::MidRange, {}});
+    } else if (c == ComparisonTable::Method) {
+      widest = methodTitle(angle::ModelKind::LookupTable, angle::FitMethod::MidRange);
+    }
+    table.setColumnWidth(c, metrics.horizontalAdvance(widest) + padding);
+  }
+}
+
+} // namespace
+
 CompareStep::CompareStep(StepContext context, QWidget* parent)
     : StepPage(parent), m_presenter(context.document, context.jobs) {
   auto* page = new QVBoxLayout(this);
@@ -209,8 +229,8 @@ QWidget* CompareStep::makeTable() {
   m_table->setShowGrid(false);
   m_table->verticalHeader()->setVisible(false);
   m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 10);
-  m_table->horizontalHeader()->setDefaultSectionSize(fontMetrics().averageCharWidth() * 18);
   m_table->horizontalHeader()->setHighlightSections(false);
+  setColumnWidths(*m_table);
   layout->addWidget(m_table, 1);
   connect(method, &QComboBox::currentIndexChanged, this, [this, methods](int index) {
     m_filter->setMethod(index > 0 ? std::optional(methods[index - 1]) : std::nullopt);
@@ -242,8 +262,7 @@ void CompareStep::showFigure() {
   m_plot->setSpec(m_presenter.figure());
   m_rows->setComparison(m_presenter.comparison());
   const QString missing = m_presenter.missing();
-  m_notices->setNotices(missing.isEmpty() ? QList<Notice>{}
-                                          : QList<Notice>{{Notice::Level::Information, missing}});
+  m_notices->setNotices(missing.isEmpty() ? QList<Notice>{} : QList<Notice>{{Notice::Level::Information, missing}});
   m_progress->setText(m_presenter.progressText());
 }
 

@@ -21,16 +21,13 @@ ExportPresenter::ExportPresenter(AngleDocument& document, JobRunner& jobs, QObje
     : QObject(parent), m_document(document), m_jobs(jobs) {
   connect(&document, &AngleDocument::opened, this, [this] {
     m_folder.clear();
-    m_written.clear();
-    m_status.clear();
-    m_failed = false;
-    emit changed();
+    forgetWritten();
   });
   connect(&document, &AngleDocument::titleChanged, this, &ExportPresenter::changed);
-  connect(&document, &AngleDocument::runChanged, this, &ExportPresenter::changed);
-  connect(&document, &AngleDocument::choicesChanged, this, &ExportPresenter::changed);
+  connect(&document, &AngleDocument::runChanged, this, &ExportPresenter::forgetWritten);
+  connect(&document, &AngleDocument::choicesChanged, this, &ExportPresenter::forgetWritten);
   connect(&document, &AngleDocument::comparisonChanged, this, &ExportPresenter::changed);
-  connect(&document, &AngleDocument::verificationChanged, this, &ExportPresenter::changed);
+  connect(&document, &AngleDocument::verificationChanged, this, &ExportPresenter::forgetWritten);
   connect(&jobs, &JobRunner::jobProgress, this, [this](const QString& key, double fraction) {
     if (key == exportJob) {
       m_progress = fraction;
@@ -39,7 +36,7 @@ ExportPresenter::ExportPresenter(AngleDocument& document, JobRunner& jobs, QObje
   });
   connect(&jobs, &JobRunner::jobEnded, this, [this](const QString& key, bool cancelled) {
     if (key == exportJob && cancelled) {
-      m_status = tr("The export was stopped; nothing was written.");
+      m_status = tr("The export was stopped. Unless it was just finishing, nothing was written.");
       m_failed = true;
       emit changed();
     }
@@ -52,6 +49,15 @@ void ExportPresenter::setFolder(const QString& folder) {
   m_folder = QDir::cleanPath(folder.trimmed());
   if (folder.trimmed().isEmpty()) {
     m_folder.clear();
+  }
+  forgetWritten();
+}
+
+void ExportPresenter::forgetWritten() {
+  m_written.clear();
+  if (!isRunning()) {
+    m_status.clear();
+    m_failed = false;
   }
   emit changed();
 }
@@ -69,7 +75,7 @@ QString ExportPresenter::suggestedFolder() const {
 void ExportPresenter::setChoices(const ExportChoices& choices) {
   if (m_choices != choices) {
     m_choices = choices;
-    emit changed();
+    forgetWritten();
   }
 }
 

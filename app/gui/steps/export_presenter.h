@@ -44,6 +44,8 @@ signals:
   void progressChanged();
 
 private:
+  void forgetWritten(); ///< what was written is no longer what would be written
+
   /// Without `ownSweep` the document's own sweep is looked at, for use at once.
   std::shared_ptr<const AngleResults> results(bool ownSweep) const;
 

@@ -32,7 +32,9 @@ public:
     setWordWrap(true);
     setTextInteractionFlags(Qt::TextSelectableByMouse);
     setContentsMargins(edgeWidth + 8, 6, 8, 6);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true); // as high as the wrapped text needs, no higher
+    setSizePolicy(policy);
   }
 
 protected:

@@ -72,6 +72,7 @@ void VerdictBanner::setVerdict(Outcome outcome, const QString& sentence, const Q
   m_sentence->setText(sentence);
   m_rule->setText(rule);
   m_rule->setVisible(!rule.isEmpty());
+  m_sentence->setVisible(rule.isEmpty()); // the rule says it again, with the uncertainty
   update();
 }
 

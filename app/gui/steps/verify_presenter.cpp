@@ -117,12 +117,6 @@ void VerifyPresenter::capture() {
   if (!captureProblem().isEmpty()) {
     return;
   }
-  if (session::Session* session = m_document.session(); session != nullptr) {
-    if (const Result<void> cleared = session->clearSamples(session::SweepRole::Verification); !cleared) {
-      setProblem(fromText(cleared.error().message()));
-      return;
-    }
-  }
   m_capturing = true;
   const Result<void> started = m_bench.startCapture(plan(), session::SweepRole::Verification, false);
   if (!started) {
@@ -201,9 +195,9 @@ QString VerifyPresenter::verdictText() const {
   if (const QString first = missing(); !first.isEmpty()) {
     return first;
   }
-  return m_document.verificationSweep().size() == 0
-             ? tr("Take a fresh sweep, or load one: it shows what the correction is worth on data it was not made from.")
-             : tr("The sweep is being verified.");
+  return m_document.verificationSweep().size() == 0 ? tr("Take a fresh sweep, or load one: it shows what the "
+                                                         "correction is worth on data it was not made from.")
+                                                    : tr("The sweep is being verified.");
 }
 
 QString VerifyPresenter::ruleText() const {
@@ -217,10 +211,9 @@ PlotSpec VerifyPresenter::beforeAfter() const {
 }
 
 PlotSpec VerifyPresenter::corrected() const {
-  return m_document.verification()
-             ? correctedErrorFigure(*m_document.verification())
-             : emptyFigure(tr("Error after correction"), turnAxis(tr("Encoder angle (°)")),
-                           dataAxis(tr("Error after correction (°)")), {});
+  return m_document.verification() ? correctedErrorFigure(*m_document.verification())
+                                   : emptyFigure(tr("Error after correction"), turnAxis(tr("Encoder angle (°)")),
+                                                 dataAxis(tr("Error after correction (°)")), {});
 }
 
 ReportTable VerifyPresenter::table() const {
@@ -231,9 +224,8 @@ QString VerifyPresenter::missing() const {
   if (m_document.run()) {
     return {};
   }
-  return m_document.sweep().size() == 0
-             ? tr("There is no calibration yet: capture a sweep or import a CSV file first.")
-             : tr("The calibration is not computed: see the step Fit.");
+  return m_document.sweep().size() == 0 ? tr("There is no calibration yet: capture a sweep or import a CSV file first.")
+                                        : tr("The calibration is not computed: see the step Fit.");
 }
 
 QString VerifyPresenter::problem() const { return m_problem; }

@@ -1,5 +1,6 @@
 // Pictures of the four steps for a critical eye: with STRAIGHTEDGE_PICTURES=FOLDER they are written there, light and
 // dark; QT_SCALE_FACTOR=2 makes them for 200 %. Without it the test only sees that every step can be drawn.
+#include "app/gui/shell/theme.h"
 #include "app/gui/steps/step_page.h"
 #include "tests/app/gui/steps_fit/document_fixture.h"
 
@@ -48,7 +49,7 @@ private slots:
   void drawsEmpty();
 };
 
-void StepPicturesTest::initTestCase() { QApplication::setStyle(QStringLiteral("Fusion")); }
+void StepPicturesTest::initTestCase() { applyTheme(*qApp, ThemeChoice::Light); }
 
 void StepPicturesTest::draws_data() {
   QTest::addColumn<bool>("dark");
@@ -58,8 +59,7 @@ void StepPicturesTest::draws_data() {
 
 void StepPicturesTest::draws() {
   QFETCH(const bool, dark);
-  const QPalette before = QApplication::palette();
-  QApplication::setPalette(dark ? QPalette(QColor(0x3a, 0x3d, 0x41), QColor(0x25, 0x27, 0x2a)) : before);
+  applyTheme(*qApp, dark ? ThemeChoice::Dark : ThemeChoice::Light);
   const QString suffix = dark ? QStringLiteral("-dark") : QStringLiteral("-light");
   OpenDocument open;
   QVERIFY(open.load());
@@ -85,7 +85,7 @@ void StepPicturesTest::draws() {
   QVERIFY(QTest::qWaitFor([&] { return open.document.verification().has_value(); }, gui::testing::patienceMs));
   draw(*shown(makeVerifyStep(context, nullptr)), QStringLiteral("verify") + suffix);
   draw(*shown(makeExportStep(context, nullptr)), QStringLiteral("export") + suffix);
-  QApplication::setPalette(before);
+  applyTheme(*qApp, ThemeChoice::Light);
 }
 
 void StepPicturesTest::drawsEmpty() {

@@ -126,7 +126,8 @@ void VerifyExportPresenterTest::exportsWhatIsChosen() {
                         .comparison = false,
                         .plotsPng = false,
                         .reportPdf = false});
-  QVERIFY(!presenter.canStart()); // nothing chosen
+  QVERIFY(!presenter.canStart());                                             // nothing chosen
+  QVERIFY(presenter.written().isEmpty() && presenter.statusText().isEmpty()); // not what these choices come to
 }
 
 void VerifyExportPresenterTest::exportReportsAFolderThatCannotBeMade() {
