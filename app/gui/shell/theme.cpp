@@ -110,6 +110,7 @@ void applyTheme(QApplication& application, ThemeChoice choice) {
   const QString border = palette.color(QPalette::Mid).name();
   application.setStyleSheet(QStringLiteral("QToolTip { border: 1px solid %1; padding: 3px 5px; }"
                                            "QStatusBar::item { border: none; }"
+                                           "QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }"
                                            "QMenu::separator { height: 1px; background: %1; margin: 4px 8px; }")
                                 .arg(border));
 }
