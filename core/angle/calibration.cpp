@@ -1,16 +1,11 @@
 #include "core/angle/calibration.h"
 
+#include "core/angle/messages.h"
 #include "core/base/number_text.h"
 
 #include <algorithm>
 
 namespace straightedge::angle {
-
-namespace {
-
-std::string degrees(double value) { return formatForPeople(value, 3) + "°"; }
-
-} // namespace
 
 std::vector<Warning> modelWarnings(const Model& model, const AlignedSweep& aligned, const CorrectionCurve& curve) {
   std::vector<Warning> warnings;
@@ -29,8 +24,8 @@ std::vector<Warning> modelWarnings(const Model& model, const AlignedSweep& align
   }
   if (model.errors.maxCurveDeg < curve.leaveOneOutRmsDeg) {
     warnings.push_back({Warning::Topic::NoisyForModel,
-                        name + " follows the correction curve to within " + degrees(model.errors.maxCurveDeg) +
-                            ", but the points foretell one another only to " + degrees(curve.leaveOneOutRmsDeg) +
+                        name + " follows the correction curve to within " + degreesText(model.errors.maxCurveDeg) +
+                            ", but the points foretell one another only to " + degreesText(curve.leaveOneOutRmsDeg) +
                             " (rms, leave-one-out): the model is more accurate than the data, which support no claim "
                             "below about " +
                             formatForPeople(curve.leaveOneOutRmsDeg, 1) + "°."});

@@ -1,4 +1,5 @@
 #include "core/angle/comparison.h"
+#include "core/angle/messages.h"
 #include "core/base/number_text.h"
 
 #include <algorithm>
@@ -55,8 +56,6 @@ const ComparisonRow* bestOf(const std::array<const ComparisonRow*, kinds.size()>
   return best;
 }
 
-std::string degrees(double value) { return formatForPeople(value, 3) + "°"; }
-
 /// A demand as a person would write it: 0.5°, not 0.500°.
 std::string demandText(double value) {
   std::string text = formatForPeople(value, 3);
@@ -79,7 +78,7 @@ std::string runnersUpText(const std::vector<ComparisonRow>& runnersUp) {
   std::string text;
   for (const ComparisonRow& row : runnersUp) {
     text += (text.empty() ? "; runners-up: " : ", ") + row.name.text() + " with " + storageText(row) + ", " +
-            degrees(judgedError(row));
+            degreesText(judgedError(row));
   }
   if (runnersUp.size() == 1) {
     text.replace(text.find("runners-up"), 10, "runner-up");
@@ -114,14 +113,15 @@ Recommendation recommendForTarget(const Comparison& comparison, double targetErr
   if (result.choice) {
     const ComparisonRow& choice = *result.choice;
     result.sentence = choice.name.text() + " meets " + demandText(targetErrorDeg) + " with " + storageText(choice) +
-                      ", " + degrees(judgedError(choice)) + " maximum error" + runnersUpText(result.runnersUp) + ".";
+                      ", " + degreesText(judgedError(choice)) + " maximum error" + runnersUpText(result.runnersUp) +
+                      ".";
     return result;
   }
   const Recommendation nearest = recommend(comparison, [](const ComparisonRow&) { return true; }, isMoreAccurate);
   result.sentence = "No model meets " + demandText(targetErrorDeg);
   if (nearest.choice) {
     result.sentence += "; the most accurate is " + nearest.choice->name.text() + " with " +
-                       storageText(*nearest.choice) + " and " + degrees(judgedError(*nearest.choice)) +
+                       storageText(*nearest.choice) + " and " + degreesText(judgedError(*nearest.choice)) +
                        " maximum error";
   }
   result.sentence += ".";
@@ -135,7 +135,7 @@ Recommendation recommendForBudget(const Comparison& comparison, int storageEntri
   if (result.choice) {
     const ComparisonRow& choice = *result.choice;
     result.sentence = choice.name.text() + " is the most accurate within " + entriesText(storageEntries) + ": " +
-                      degrees(judgedError(choice)) + " maximum error with " + storageText(choice) +
+                      degreesText(judgedError(choice)) + " maximum error with " + storageText(choice) +
                       runnersUpText(result.runnersUp) + ".";
     return result;
   }

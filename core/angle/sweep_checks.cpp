@@ -1,6 +1,7 @@
 #include "core/angle/sweep_checks.h"
 
 #include "core/angle/angles.h"
+#include "core/angle/messages.h"
 #include "core/base/number_text.h"
 #include "core/numerics/statistics.h"
 
@@ -22,7 +23,6 @@ constexpr double largestEncoderDeg = 3600000.0;
 /// A gap narrower than this hides nothing that 64 harmonics could show, however dense the other points are.
 constexpr double gapWorthNamingDeg = 1.0;
 
-std::string degrees(double value) { return formatForPeople(value, 3) + "°"; }
 /// A place on the circle: one more digit than a width needs.
 std::string place(double value) { return formatForPeople(value, 4) + "°"; }
 /// A limit, as it is written here.
@@ -38,10 +38,6 @@ std::string rowPlace(const Sweep& sweep, std::size_t row) {
 /// Without a file's line the row's number has to say which one.
 std::string rowNote(const Sweep& sweep, std::size_t row) {
   return row < sweep.line.size() ? std::string() : " in row " + std::to_string(row + 1);
-}
-
-Error inputError(const Sweep& sweep, std::string what, std::string remedy) {
-  return {ErrorKind::Input, std::move(what), std::move(remedy), sweep.source.file};
 }
 
 std::optional<Error> refuseNumber(const Sweep& sweep, std::size_t row, const char* name, double value, double low,
@@ -94,7 +90,7 @@ std::optional<Error> refuseUnreadable(const Sweep& sweep) {
   const auto fits = [&](std::size_t length) { return length == 0 || length == rows; };
   if (sweep.sensorDeg.size() != rows || !fits(sweep.turn.size()) || !fits(sweep.direction.size()) ||
       !fits(sweep.enabled.size())) {
-    return inputError(sweep, "the sweep's columns differ in length", "give every row a value in every column");
+    return sweepError(sweep, "the sweep's columns differ in length", "give every row a value in every column");
   }
   for (std::size_t row = 0; row < rows; ++row) {
     if (!sweep.isEnabled(row)) {
@@ -114,15 +110,15 @@ std::optional<Error> refuseUnreadable(const Sweep& sweep) {
 std::optional<Error> refuseCoverage(const Sweep& sweep, const Eigen::VectorXd& distinctEncoderDeg) {
   const auto angles = static_cast<std::size_t>(distinctEncoderDeg.size());
   if (angles < fewestAngles) {
-    return inputError(sweep,
+    return sweepError(sweep,
                       "only " + std::to_string(angles) + " distinct encoder angles; a calibration needs at least " +
                           std::to_string(fewestAngles),
                       "record more angles, spread over the whole turn");
   }
   const Gap gap = widest(gapsRound(distinctEncoderDeg));
   if (gap.widthDeg > widestGapDeg) {
-    return inputError(sweep,
-                      "no encoder angle in the " + degrees(gap.widthDeg) + " from " +
+    return sweepError(sweep,
+                      "no encoder angle in the " + degreesText(gap.widthDeg) + " from " +
                           stretch(gap.fromDeg, gap.widthDeg) + "; gaps up to " + limit(widestGapDeg) + " are accepted",
                       "record the missing part of the turn");
   }
@@ -141,8 +137,8 @@ std::optional<Error> measureGaps(const Sweep& sweep, const Eigen::VectorXd& dist
   const Gap largest = widest(gaps);
   aligned.largestGapDeg = largest.widthDeg;
   if (largest.widthDeg > widestGapDeg) {
-    return inputError(sweep,
-                      "the sensor leaps over " + degrees(largest.widthDeg) + ", from " +
+    return sweepError(sweep,
+                      "the sensor leaps over " + degreesText(largest.widthDeg) + ", from " +
                           stretch(asSensor(largest), largest.widthDeg) + ", between neighbouring points; gaps up to " +
                           limit(widestGapDeg) + " are accepted",
                       "record more angles where the sensor moves fast");
@@ -166,20 +162,21 @@ void noteWarnings(AlignedSweep& aligned) {
          "Only " + count + " distinct angles: at least " + std::to_string(comfortableAngles) + " are recommended.");
   }
   if (aligned.distinctAngles < anglesForWideSwing && swing > wideSwingDeg) {
-    warn(Warning::Topic::FewAnglesForSwing,
-         "The correction swings by " + degrees(swing) + ", but there are only " + count + " distinct angles: above " +
-             limit(wideSwingDeg) + " at least " + std::to_string(anglesForWideSwing) + " are recommended.");
+    warn(Warning::Topic::FewAnglesForSwing, "The correction swings by " + degreesText(swing) + ", but there are only " +
+                                                count + " distinct angles: above " + limit(wideSwingDeg) +
+                                                " at least " + std::to_string(anglesForWideSwing) +
+                                                " are recommended.");
   }
   if (!aligned.gaps.empty()) {
     const auto wide =
         *std::max_element(aligned.gaps.begin(), aligned.gaps.end(),
                           [](const CoverageGap& a, const CoverageGap& b) { return a.widthDeg < b.widthDeg; });
-    std::string text =
-        aligned.gaps.size() == 1
-            ? "A gap in the sensor angles of " + degrees(wide.widthDeg)
-            : std::to_string(aligned.gaps.size()) + " gaps in the sensor angles, the widest " + degrees(wide.widthDeg);
+    std::string text = aligned.gaps.size() == 1
+                           ? "A gap in the sensor angles of " + degreesText(wide.widthDeg)
+                           : std::to_string(aligned.gaps.size()) + " gaps in the sensor angles, the widest " +
+                                 degreesText(wide.widthDeg);
     text += " from " + stretch(wide.fromDeg, wide.widthDeg) + ": more than twice the median distance of " +
-            degrees(aligned.medianGapDeg) + "; the correction is uncertain there.";
+            degreesText(aligned.medianGapDeg) + "; the correction is uncertain there.";
     warn(Warning::Topic::CoverageGap, std::move(text));
   }
   if (aligned.direction == SensorDirection::Decreasing) {

@@ -1,6 +1,7 @@
 #include "core/angle/turning_check.h"
 
 #include "core/angle/angles.h"
+#include "core/angle/messages.h"
 #include "core/base/number_text.h"
 #include "core/numerics/statistics.h"
 
@@ -21,12 +22,6 @@ constexpr double scatterDeg = 10.0;
 constexpr double driftPerTurnDeg = 2.0;
 /// A jump of 1 % of a turn or more is looked at.
 constexpr double smallestJumpDeg = 3.6;
-
-std::string degrees(double value) { return formatForPeople(value, 3) + "°"; }
-
-Error inputError(const Sweep& sweep, std::string what, std::string remedy) {
-  return {ErrorKind::Input, std::move(what), std::move(remedy), sweep.source.file};
-}
 
 std::string turnRemedy() { return "check the gear ratio, the magnet's pole pairs and which column is which"; }
 
@@ -99,11 +94,11 @@ std::optional<Error> refuseSawtooth(const Sweep& sweep, const Steps& steps, int 
   if (drift * correction[jump] > 0.0 || std::abs(drift) < 0.7 * size) {
     return std::nullopt;
   }
-  return inputError(
+  return sweepError(
       sweep,
       "the sensor seems to make " + formatForPeople(1.0 - drift / 360.0, 2) +
           " turns while the encoder makes one: it drifts steadily against the encoder and jumps back by " +
-          degrees(size) + " after encoder angle " + degrees(steps.fromDeg[jump]) + "; it must make exactly one",
+          degreesText(size) + " after encoder angle " + degreesText(steps.fromDeg[jump]) + "; it must make exactly one",
       turnRemedy());
 }
 
@@ -121,11 +116,12 @@ std::optional<Error> refuseTurning(const Sweep& sweep, const Eigen::VectorXd& en
     high = std::max(high, position);
   }
   if (high - low <= standingStillDeg) {
-    return inputError(sweep,
-                      high - low > 0.0
-                          ? "the sensor stays within " + degrees(high - low) + " while the encoder makes a whole turn"
-                          : "the sensor shows the same angle, " + degrees(sensorDeg(0)) + ", at every encoder angle",
-                      "check the sensor's wiring and that the magnet turns with the shaft");
+    return sweepError(
+        sweep,
+        high - low > 0.0
+            ? "the sensor stays within " + degreesText(high - low) + " while the encoder makes a whole turn"
+            : "the sensor shows the same angle, " + degreesText(sensorDeg(0)) + ", at every encoder angle",
+        "check the sensor's wiring and that the magnet turns with the shaft");
   }
 
   const auto turns = static_cast<int>(std::lround(position / 360.0));
@@ -135,20 +131,20 @@ std::optional<Error> refuseTurning(const Sweep& sweep, const Eigen::VectorXd& en
   }
   const double scatter = numerics::median(std::move(unruly));
   if (scatter > scatterDeg + numerics::median(steps.shaftDeg)) {
-    return inputError(sweep,
+    return sweepError(sweep,
                       "the sensor does not come back to the same angle: readings at neighbouring encoder angles differ "
                       "by " +
-                          degrees(scatter) + " (median); it must make exactly one turn while the encoder makes one",
+                          degreesText(scatter) + " (median); it must make exactly one turn while the encoder makes one",
                       turnRemedy());
   }
   if (turns == 0) {
-    return inputError(sweep,
+    return sweepError(sweep,
                       "the sensor turns less than once while the encoder makes one turn: it comes back after " +
-                          degrees(high - low) + "; it must make exactly one",
+                          degreesText(high - low) + "; it must make exactly one",
                       turnRemedy());
   }
   if (std::abs(turns) > 1) {
-    return inputError(sweep,
+    return sweepError(sweep,
                       "the sensor makes " + std::to_string(std::abs(turns)) +
                           " turns while the encoder makes one; it must make exactly one",
                       turnRemedy());
@@ -182,8 +178,8 @@ std::optional<Error> refuseDrift(const Sweep& sweep, const AlignedSweep& aligned
   if (std::abs(drift) <= driftPerTurnDeg) {
     return std::nullopt;
   }
-  return inputError(sweep,
-                    "the sensor " + std::string(drift > 0.0 ? "gains " : "loses ") + degrees(std::abs(drift)) +
+  return sweepError(sweep,
+                    "the sensor " + std::string(drift > 0.0 ? "gains " : "loses ") + degreesText(std::abs(drift)) +
                         " against the encoder with every turn; it must make exactly one turn while the encoder makes "
                         "one",
                     turnRemedy());

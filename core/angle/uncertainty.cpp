@@ -1,5 +1,6 @@
 #include "core/angle/uncertainty.h"
 
+#include "core/angle/messages.h"
 #include "core/angle/sensor_resolution.h"
 #include "core/base/number_text.h"
 
@@ -12,7 +13,6 @@ namespace straightedge::angle {
 namespace {
 
 double squared(double value) { return value * value; }
-std::string degrees(double value) { return formatForPeople(value, 3) + "°"; }
 
 /// Scatter of single readings that the sweep shows, by whatever means it has.
 double readingScatter(const AlignedSweep& aligned, const CorrectionCurve& curve) {
@@ -48,7 +48,7 @@ UncertaintyContribution repeatability(const AlignedSweep& aligned) {
 UncertaintyContribution hysteresis(const AlignedSweep& aligned) {
   if (aligned.passes.hysteresisMaxDeg) {
     return {"hysteresis", *aligned.passes.hysteresisMaxDeg / std::numbers::sqrt3,
-            "type B: rectangular, half width " + degrees(*aligned.passes.hysteresisMaxDeg) +
+            "type B: rectangular, half width " + degreesText(*aligned.passes.hysteresisMaxDeg) +
                 " (largest half difference between the directions), divided by √3"};
   }
   return {"hysteresis", 0.0, "not seen: no angle was visited in both directions"};
@@ -57,7 +57,8 @@ UncertaintyContribution hysteresis(const AlignedSweep& aligned) {
 UncertaintyContribution reference(const UncertaintyInputs& inputs) {
   if (inputs.referenceExpandedDeg > 0.0) {
     return {"reference", inputs.referenceExpandedDeg / 2.0,
-            "type B: stated expanded uncertainty " + degrees(inputs.referenceExpandedDeg) + ", normal, divided by 2"};
+            "type B: stated expanded uncertainty " + degreesText(inputs.referenceExpandedDeg) +
+                ", normal, divided by 2"};
   }
   return {"reference", 0.0, "not counted: no uncertainty of the reference was stated"};
 }
@@ -73,10 +74,10 @@ UncertaintyContribution quantisation(const AlignedSweep& aligned, const Correcti
   // Readings that scatter over several steps are rounded at random: the measured scatter holds that rounding already.
   if (readingScatter(aligned, curve) >= 0.5 * step) {
     return {"quantisation", 0.0,
-            "step " + degrees(step) + origin + ": already in the measured scatter of the readings"};
+            "step " + degreesText(step) + origin + ": already in the measured scatter of the readings"};
   }
   return {"quantisation", step / std::sqrt(12.0),
-          "type B: rectangular, half of one step of " + degrees(step) + origin + ", divided by √3"};
+          "type B: rectangular, half of one step of " + degreesText(step) + origin + ", divided by √3"};
 }
 
 UncertaintyContribution correctionCurve(const AlignedSweep& aligned, const CorrectionCurve& curve) {

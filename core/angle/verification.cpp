@@ -1,6 +1,7 @@
 #include "core/angle/verification.h"
 
 #include "core/angle/angles.h"
+#include "core/angle/messages.h"
 #include "core/angle/sweep_checks.h"
 #include "core/base/number_text.h"
 
@@ -10,8 +11,6 @@
 namespace straightedge::angle {
 
 namespace {
-
-std::string degrees(double value) { return formatForPeople(value, 3) + "°"; }
 
 struct Spread {
   double max = 0.0;
@@ -45,18 +44,19 @@ void decide(VerificationReport& report) {
   } else {
     report.verdict = near ? Verdict::FailWithinUncertainty : Verdict::Fail;
   }
-  const std::string figures = "the largest error " + degrees(report.maxErrorDeg) + " is " +
-                              (report.met ? "within" : "above") + " the limit of " + degrees(report.limitDeg);
+  const std::string figures = "the largest error " + degreesText(report.maxErrorDeg) + " is " +
+                              (report.met ? "within" : "above") + " the limit of " + degreesText(report.limitDeg);
   report.decisionRule =
       std::string("Simple acceptance: ") + (report.met ? "passed" : "failed") + ", because " + figures;
   if (!known) {
     report.decisionRule += "; the uncertainty of the corrected angle is not known and does not count.";
   } else if (near) {
     report.decisionRule += "; it is nearer to the limit than the expanded uncertainty (95 %) of " +
-                           degrees(report.expandedUncertaintyDeg) + ", so the true error may lie on the other side.";
+                           degreesText(report.expandedUncertaintyDeg) +
+                           ", so the true error may lie on the other side.";
   } else {
     report.decisionRule +=
-        ", by more than the expanded uncertainty (95 %) of " + degrees(report.expandedUncertaintyDeg) + ".";
+        ", by more than the expanded uncertainty (95 %) of " + degreesText(report.expandedUncertaintyDeg) + ".";
   }
 }
 
