@@ -82,7 +82,7 @@ std::vector<UnitPoint> decimate(std::span<const double> x, std::span<const doubl
     last = rows.second;
   }
   std::vector<UnitPoint> out;
-  const auto emit = [&](std::size_t row) { out.push_back({xScale.toUnit(x[row]), yScale.toUnit(y[row])}); };
+  const auto put = [&](std::size_t row) { out.push_back({xScale.toUnit(x[row]), yScale.toUnit(y[row])}); };
   const auto gap = [&out] {
     if (!out.empty() && std::isfinite(out.back().y)) {
       out.push_back({nan, nan});
@@ -93,7 +93,7 @@ std::vector<UnitPoint> decimate(std::span<const double> x, std::span<const doubl
   if (all) {
     for (std::size_t row = first; row < last; ++row) {
       if (drawable(x[row], xScale) && drawable(y[row], yScale)) {
-        emit(row);
+        put(row);
       } else {
         gap();
       }
@@ -111,7 +111,7 @@ std::vector<UnitPoint> decimate(std::span<const double> x, std::span<const doubl
     std::size_t previous = std::numeric_limits<std::size_t>::max();
     for (const std::size_t row : {column.first, nearer, farther, column.last}) {
       if (row != previous) {
-        emit(row);
+        put(row);
         previous = row;
       }
     }
