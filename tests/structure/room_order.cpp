@@ -29,7 +29,7 @@ const std::vector<Room>& rooms() {
       {"devices/simulated", {"core/base", "core/numerics", "devices/instruments"}},
       {"devices/capture", {"core/base", "core/session", "devices/instruments", "devices/simulated"}},
       {"app/cli", {"core/", "devices/"}},
-      {"app/gui/plots", {}},
+      {"app/gui/plots", {"core/base"}},
       {"app/gui/jobs", {"core/base"}},
       {"app/gui/figures", {"core/", "app/gui/plots"}},
       {"app/gui/document", {"core/", "devices/", "app/gui/jobs"}},
