@@ -115,6 +115,15 @@ TEST(Residuals, HaveTheErrorsThatTheCalibrationStates) {
   }
 }
 
+TEST(Residuals, CountNoWholeTurnAsAnError) {
+  const angle::CalibrationRun run = exampleRun();
+  angle::AlignedSweep turned = run.aligned;
+  turned.correctionDeg[3] += 360.0;
+  const PlotSpec expected = pointResidualFigure(run.result.models, run.aligned);
+  const PlotSpec actual = pointResidualFigure(run.result.models, turned);
+  EXPECT_NEAR(largest(actual.series[0].y), largest(expected.series[0].y), 1e-9);
+}
+
 TEST(GrowingFamilies, LeaveLessWithEverySize) {
   const angle::CalibrationRun run = exampleRun();
   const PlotSpec harmonics = growingFamilyFigure(GrowingFamily::Harmonics, run.aligned, run.curve);
