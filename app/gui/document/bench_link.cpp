@@ -201,14 +201,14 @@ Result<void> BenchLink::beginCapture(const devices::AnglePlan& plan, session::Sw
   m_impl->plan = plan;
   m_impl->faultShown = false;
   m_impl->live = already;
-  if (redo) {
-    m_impl->capture->redo(*redo);
-  }
   if (const Result<void> started = m_impl->capture->start(plan, already); !started) {
     m_impl->capture.reset();
     m_impl->sink.reset();
     updateLiveReading();
     return started;
+  }
+  if (redo) { // of a sweep that is complete: it ends again after this point
+    m_impl->capture->redo(*redo);
   }
   m_impl->progress = m_impl->capture->progress();
   m_impl->frame.start();

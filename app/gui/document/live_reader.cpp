@@ -13,6 +13,8 @@ constexpr std::chrono::milliseconds movingPeriod{20};
 constexpr std::chrono::milliseconds failingPeriod{1000};
 // Moved in small steps with a reading after each, so that the numbers follow the shaft.
 constexpr double moveStepDeg = 4.0;
+// A shaft still creeps when its stage says that it is there; on a virtual clock no time would pass for that.
+constexpr double creepS = 0.03;
 
 } // namespace
 
@@ -55,6 +57,7 @@ Result<void> LiveReader::moveOneStep() {
   const double distance = *target - m_encoderDeg;
   const double step = std::clamp(distance, -moveStepDeg, moveStepDeg);
   const Result<void> moved = m_bench.stage->moveToDeg(m_encoderDeg + step);
+  m_bench.clock->sleepS(creepS);
   const std::lock_guard lock(m_mutex);
   if (!moved || std::abs(distance) <= moveStepDeg) {
     if (m_targetDeg == target) { // a newer target stays

@@ -29,7 +29,10 @@ QString durationText(double seconds) {
   return CapturePresenter::tr("%1 h %2 min").arg(whole / 3600).arg(whole % 3600 / 60);
 }
 
-QString countText(qint64 count) { return QLocale::c().toString(count).replace(QLatin1Char(','), QChar(0x202f)); }
+/// Thousands apart by a narrow space, whatever the user's locale: numbers read the same as in the plots.
+QString countText(qint64 count) {
+  return QLocale(QLocale::English).toString(count).replace(QLatin1Char(','), QChar(0x202f));
+}
 
 int stationsOf(const devices::AnglePlan& plan) {
   return plan.pointsPerTurn * plan.turns * (plan.bothDirections ? 2 : 1);
@@ -208,7 +211,7 @@ bool CapturePresenter::canStop() const { return m_bench.isCapturing(); }
 void CapturePresenter::stop() { m_bench.stopCapture(); }
 
 bool CapturePresenter::canRedo(std::optional<int> planPoint) const {
-  return planPoint && m_bench.isConnected() && m_points.isMeasured(*planPoint);
+  return planPoint && m_bench.isConnected() && m_phase != Phase::Interrupted && m_points.isMeasured(*planPoint);
 }
 
 void CapturePresenter::redo(int planPoint) {
