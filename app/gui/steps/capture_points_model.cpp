@@ -6,7 +6,9 @@ namespace straightedge::gui {
 
 namespace {
 
-QString degreesText(double deg, int decimals) { return QString::number(deg, 'f', decimals) + QStringLiteral("°"); }
+QString degreesText(double deg, int decimals) {
+  return QString::number(deg, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212)) + QStringLiteral("°");
+}
 
 } // namespace
 

@@ -62,7 +62,7 @@ CaptureStep::CaptureStep(StepContext context, QWidget* parent)
   auto* lower = new QSplitter(Qt::Horizontal, this);
   lower->addWidget(m_sensorPlot);
   lower->addWidget(makePointsBox());
-  lower->setSizes({500, 500});
+  lower->setSizes({300, 470});
   lower->setChildrenCollapsible(false);
   auto* plots = new QSplitter(Qt::Vertical, this);
   plots->addWidget(m_errorPlot);
@@ -169,12 +169,12 @@ QWidget* CaptureStep::makePointsBox() {
   m_table->horizontalHeader()->setStretchLastSection(true);
   m_table->horizontalHeader()->setHighlightSections(false);
   const int character = fontMetrics().averageCharWidth();
-  for (const auto& [column, characters] : {std::pair{CapturePointsModel::Point, 8},
-                                           {CapturePointsModel::Turn, 7},
-                                           {CapturePointsModel::Direction, 11},
-                                           {CapturePointsModel::Planned, 12},
-                                           {CapturePointsModel::Sensor, 12},
-                                           {CapturePointsModel::Error, 12}}) {
+  for (const auto& [column, characters] : {std::pair{CapturePointsModel::Point, 7},
+                                           {CapturePointsModel::Turn, 6},
+                                           {CapturePointsModel::Direction, 9},
+                                           {CapturePointsModel::Planned, 10},
+                                           {CapturePointsModel::Sensor, 11},
+                                           {CapturePointsModel::Error, 11}}) {
     m_table->setColumnWidth(column, character * characters);
   }
   m_redo = button(box, tr("&Measure this point again"), QStringLiteral("redoPoint"));
@@ -287,6 +287,10 @@ void CaptureStep::showNotices() {
 }
 
 void CaptureStep::showProgress() {
+  const bool begun = m_presenter.canStop() || m_presenter.points().measuredPoints() > 0;
+  for (QWidget* each : std::initializer_list<QWidget*>{m_progress, m_progressText, m_samplesText}) {
+    each->setVisible(begun);
+  }
   m_progress->setValue(static_cast<int>(m_presenter.progressFraction() * m_progress->maximum()));
   m_progressText->setText(m_presenter.progressText());
   m_samplesText->setText(m_presenter.samplesText());

@@ -20,10 +20,20 @@ constexpr int noiseLeast = 10;
 constexpr double standstillDeg = 0.005;
 const QString dash = QStringLiteral("–");
 
-QString angleText(double deg, int decimals) { return QString::number(deg, 'f', decimals) + QStringLiteral("°"); }
+QString angleText(double deg, int decimals) {
+  return QString::number(deg, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212)) + QStringLiteral("°");
+}
 
 QString orNotStated(const std::string& text) {
   return text.empty() ? ConnectPresenter::tr("not stated") : QString::fromStdString(text);
+}
+
+/// "MODEL, serial SERIAL", as much of it as is stated.
+QString joined(const std::string& first, const QString& word, const std::string& second) {
+  const QString tail = second.empty() ? QString() : word + QLatin1Char(' ') + QString::fromStdString(second);
+  return first.empty() && !second.empty()
+             ? tail
+             : orNotStated(first) + (tail.isEmpty() ? QString() : QStringLiteral(", ") + tail);
 }
 
 } // namespace
@@ -169,11 +179,10 @@ void ConnectPresenter::moveShaftTo(double encoderDeg) {
 QString ConnectPresenter::traceabilitySummary() const {
   const Traceability& stated = m_document.traceability();
   QStringList lines;
-  lines << tr("Device: %1, serial %2").arg(orNotStated(stated.deviceModel), orNotStated(stated.deviceSerial));
-  lines
-      << tr("Reference: %1, serial %2").arg(orNotStated(stated.reference.model), orNotStated(stated.reference.serial));
-  lines << tr("Certificate: %1, due %2")
-               .arg(orNotStated(stated.reference.certificate), orNotStated(stated.reference.due));
+  const ReferenceInstrument& reference = stated.reference;
+  lines << tr("Device: %1").arg(joined(stated.deviceModel, tr("serial"), stated.deviceSerial));
+  lines << tr("Reference: %1").arg(joined(reference.model, tr("serial"), reference.serial));
+  lines << tr("Certificate: %1").arg(joined(reference.certificate, tr("due"), reference.due));
   lines << (stated.reference.uncertainty > 0.0
                 ? tr("Reference uncertainty: %1° (k = 2)")
                       .arg(QString::fromStdString(formatForPeople(stated.reference.uncertainty)))

@@ -3,7 +3,6 @@
 #include "app/gui/steps/live_dial.h"
 #include "app/gui/steps/notice_list.h"
 #include "app/gui/steps/simulated_bench_form.h"
-#include "app/gui/steps/step_colors.h"
 #include "app/gui/steps/value_label.h"
 
 #include <QDoubleSpinBox>
@@ -140,28 +139,31 @@ QWidget* ConnectStep::makeLiveBox() {
   auto* top = new QHBoxLayout;
   top->setSpacing(24);
   m_dial = new LiveDial(box);
-  m_dial->setFixedSize(210, 210);
+  m_dial->setFixedSize(200, 200);
   top->addWidget(m_dial);
 
   auto* numbers = new QGridLayout;
   numbers->setHorizontalSpacing(28);
   numbers->setVerticalSpacing(2);
   const auto number = [&](int row, int column, const QString& caption, const QString& name, ValueLabel::Size size,
-                          std::optional<StepColor> color) {
-    auto* value = new ValueLabel(caption, size, color, box);
+                          QPalette::ColorRole role) {
+    auto* value = new ValueLabel(caption, size, role, box);
     value->setObjectName(name);
     numbers->addWidget(value, row, column, Qt::AlignLeft | Qt::AlignTop);
     return value;
   };
   m_encoder =
-      number(0, 0, tr("Encoder"), QStringLiteral("encoderReading"), ValueLabel::Size::Large, StepColor::Reference);
-  m_sensor = number(0, 1, tr("Sensor"), QStringLiteral("sensorReading"), ValueLabel::Size::Large, StepColor::Sensor);
-  m_difference = number(1, 0, tr("Sensor − encoder"), QStringLiteral("difference"), ValueLabel::Size::Medium, {});
-  m_noise = number(1, 1, tr("Noise at standstill (1 σ)"), QStringLiteral("noise"), ValueLabel::Size::Medium, {});
+      number(0, 0, tr("Encoder"), QStringLiteral("encoderReading"), ValueLabel::Size::Large, QPalette::WindowText);
+  m_sensor = number(0, 1, tr("Sensor"), QStringLiteral("sensorReading"), ValueLabel::Size::Large, QPalette::Link);
+  m_difference = number(1, 0, tr("Sensor − encoder"), QStringLiteral("difference"), ValueLabel::Size::Medium,
+                        QPalette::WindowText);
+  m_noise = number(1, 1, tr("Noise at standstill (1 σ)"), QStringLiteral("noise"), ValueLabel::Size::Medium,
+                   QPalette::WindowText);
   numbers->setColumnStretch(2, 1);
   numbers->setRowStretch(2, 1);
 
   auto* move = new QHBoxLayout;
+  move->setSpacing(8);
   m_shaft = new QDoubleSpinBox(box);
   m_shaft->setObjectName(QStringLiteral("shaftTarget"));
   m_shaft->setRange(0.0, 360.0);

@@ -47,8 +47,8 @@ void LiveDial::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   const QPointF center = QRectF(rect()).center();
   const double outer = std::min(width(), height()) / 2.0 - 2.0;
-  const double labels = fontMetrics().height() * 1.35;
-  const double scale = outer - labels;
+  const double labels = fontMetrics().height();
+  const double scale = outer;
   const QColor text = palette().color(QPalette::WindowText);
   const QColor faint = stepColor(*this, StepColor::Faint);
 
@@ -60,15 +60,13 @@ void LiveDial::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(major ? text : faint, major ? 1.6 : 1.0));
     painter.drawLine(onCircle(center, scale - (major ? 9.0 : 5.0), deg), onCircle(center, scale, deg));
   }
-  painter.setPen(text);
+  painter.setPen(stepColor(*this, StepColor::Quiet));
   for (int deg = 0; deg < 360; deg += 90) {
-    const QString label = QString::number(deg) + QStringLiteral("°");
     const QSizeF size(labels * 3.0, labels);
-    // Beside the scale the label needs its width, above and below its height.
-    const QPointF at = onCircle(center, scale + labels * 0.5, deg);
-    if (deg % 180 == 0) {
-      painter.drawText(QRectF(at - QPointF(size.width() / 2, size.height() / 2), size), Qt::AlignCenter, label);
-    }
+    // Inside the scale; at the sides a label needs its width, above and below its height.
+    const QPointF at = onCircle(center, scale - (deg % 180 == 0 ? 1.15 : 1.6) * labels, deg);
+    painter.drawText(QRectF(at - QPointF(size.width() / 2, size.height() / 2), size), Qt::AlignCenter,
+                     QString::number(deg) + QStringLiteral("°"));
   }
   if (!m_reading) {
     painter.setPen(stepColor(*this, StepColor::Quiet));

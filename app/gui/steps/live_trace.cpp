@@ -142,23 +142,34 @@ QList<PlotSeries> LiveTrace::series(bool error) const {
     PlotSeries series = m_dense ? columnSeries(direction, error) : pointSeries(direction, error);
     series.name = direction == 0 ? QStringLiteral("Rising") : QStringLiteral("Falling");
     series.color = direction == 0 ? SeriesColor::First : SeriesColor::Second;
-    if (direction == 1 && series.x.isEmpty()) {
-      series.name.clear(); // no legend entry for what the plan does not do
+    if (series.x.isEmpty()) {
+      series.name.clear(); // no legend entry for what is not there
     }
     list.append(series);
   }
   return list;
 }
 
+void LiveTrace::describe(PlotSpec& spec) const {
+  if (m_dense) {
+    spec.note = QStringLiteral("Smallest and largest of each of %1 columns; Review shows every reading").arg(columns);
+  } else {
+    spec.note =
+        m_firstError ? QStringLiteral("Click a point to select it in the table") : QStringLiteral("No readings yet");
+  }
+}
+
 PlotSpec LiveTrace::sensorPlot() const {
   PlotSpec spec = liveSensorFigure();
   spec.series = series(false);
+  describe(spec);
   return spec;
 }
 
 PlotSpec LiveTrace::errorPlot() const {
   PlotSpec spec = liveErrorFigure();
   spec.series = series(true);
+  describe(spec);
   return spec;
 }
 

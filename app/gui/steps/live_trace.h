@@ -51,6 +51,7 @@ private:
   PlotSeries pointSeries(std::size_t direction, bool error) const;
   PlotSeries columnSeries(std::size_t direction, bool error) const;
   QList<PlotSeries> series(bool error) const;
+  void describe(PlotSpec& spec) const;
 
   std::optional<bool> m_decreasing; ///< unknown until the shaft has moved
   std::optional<double> m_firstError;

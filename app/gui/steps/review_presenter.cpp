@@ -114,7 +114,7 @@ QList<ReviewPresenter::Fact> ReviewPresenter::facts() const {
     return facts;
   }
   const angle::AlignedSweep& aligned = run->aligned;
-  const QString notMeasured = tr("not measured");
+  const QString notMeasured = QStringLiteral("–");
   facts << Fact{tr("Distinct angles"), QString::number(aligned.distinctAngles),
                 tr("Different encoder angles on the turn")}
         << Fact{tr("Largest gap"), degrees(aligned.largestGapDeg, 3),
@@ -218,7 +218,10 @@ RowFigure ReviewPresenter::figure(View view) const {
         measured.push_back(sweep.encoderDeg[row]);
       }
     }
-    return {coverageRingFigure({}, measured, run ? run->aligned.gaps : std::vector<angle::CoverageGap>{}), {}};
+    PlotSpec ring = coverageRingFigure({}, measured, run ? run->aligned.gaps : std::vector<angle::CoverageGap>{});
+    ring.series.removeIf(
+        [](const PlotSeries& series) { return series.x.isEmpty(); }); // no plan: an import may have none
+    return {std::move(ring), {}};
   }
   }
   return {};

@@ -61,7 +61,7 @@ ReviewStep::ReviewStep(StepContext context, QWidget* parent)
   auto* splitter = new QSplitter(Qt::Horizontal, m_content);
   splitter->addWidget(makePlots());
   splitter->addWidget(makeTable());
-  splitter->setSizes({620, 480});
+  splitter->setSizes({520, 570});
   splitter->setStretchFactor(0, 1);
   splitter->setChildrenCollapsible(false);
   content->addWidget(splitter, 1);
@@ -153,7 +153,7 @@ QWidget* ReviewStep::makeTable() {
   const int character = fontMetrics().averageCharWidth();
   for (int column = 0; column < ReviewTableModel::Remark; ++column) {
     const bool angle = column >= ReviewTableModel::Encoder;
-    m_table->setColumnWidth(column, character * (angle ? 13 : column == ReviewTableModel::Turn ? 7 : 11));
+    m_table->setColumnWidth(column, character * (angle ? 11 : column == ReviewTableModel::Turn ? 6 : 9));
   }
   m_table->installEventFilter(this);
   connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
@@ -267,7 +267,7 @@ void ReviewStep::showAnalysis() {
 void ReviewStep::showFacts() {
   const QList<ReviewPresenter::Fact> facts = m_presenter.facts();
   while (m_factLabels.size() < static_cast<std::size_t>(facts.size())) {
-    auto* label = new ValueLabel({}, ValueLabel::Size::Medium, {}, m_content);
+    auto* label = new ValueLabel({}, ValueLabel::Size::Medium, QPalette::WindowText, m_content);
     const int place = static_cast<int>(m_factLabels.size());
     m_facts->addWidget(label, place / factColumns, place % factColumns, Qt::AlignLeft);
     m_factLabels.push_back(label);

@@ -15,7 +15,7 @@ namespace {
 const angle::Sweep emptySweep;
 
 QString degreesText(double deg, int decimals) {
-  return std::isfinite(deg) ? QString::number(deg, 'f', decimals) : QString();
+  return std::isfinite(deg) ? QString::number(deg, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212)) : QString();
 }
 
 QString exact(double value) { return std::isfinite(value) ? QString::fromStdString(formatDouble(value)) : QString(); }

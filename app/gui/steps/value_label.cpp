@@ -1,6 +1,5 @@
 #include "app/gui/steps/value_label.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -22,8 +21,8 @@ double factorOf(ValueLabel::Size size) {
 
 } // namespace
 
-ValueLabel::ValueLabel(const QString& caption, Size size, std::optional<StepColor> color, QWidget* parent)
-    : QWidget(parent), m_color(color), m_caption(new QLabel(caption, this)), m_value(new QLabel(this)) {
+ValueLabel::ValueLabel(const QString& caption, Size size, QPalette::ColorRole role, QWidget* parent)
+    : QWidget(parent), m_caption(new QLabel(caption, this)), m_value(new QLabel(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 6);
   layout->setSpacing(0);
@@ -38,7 +37,8 @@ ValueLabel::ValueLabel(const QString& caption, Size size, std::optional<StepColo
   if (size == Size::Large) { // room for the widest reading, so that nothing moves
     m_value->setMinimumWidth(m_value->fontMetrics().horizontalAdvance(QStringLiteral("000.0000°")));
   }
-  applyColors();
+  m_caption->setForegroundRole(QPalette::PlaceholderText);
+  m_value->setForegroundRole(role);
 }
 
 void ValueLabel::setText(const QString& text) {
@@ -50,24 +50,5 @@ void ValueLabel::setText(const QString& text) {
 QString ValueLabel::text() const { return m_value->text(); }
 
 void ValueLabel::setCaption(const QString& caption) { m_caption->setText(caption); }
-
-void ValueLabel::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange) {
-    applyColors();
-  }
-  QWidget::changeEvent(event);
-}
-
-void ValueLabel::applyColors() {
-  const auto paint = [](QLabel* label, const QColor& color) {
-    QPalette colors = label->palette();
-    if (colors.color(QPalette::WindowText) != color) {
-      colors.setColor(QPalette::WindowText, color);
-      label->setPalette(colors);
-    }
-  };
-  paint(m_caption, stepColor(*this, StepColor::Quiet));
-  paint(m_value, m_color ? stepColor(*this, *m_color) : palette().color(QPalette::WindowText));
-}
 
 } // namespace straightedge::gui

@@ -1,12 +1,9 @@
 // A number with a caption above it, in figures that do not jump about while they change.
 #pragma once
 
-#include "app/gui/steps/step_colors.h"
-
+#include <QPalette>
 #include <QString>
 #include <QWidget>
-
-#include <optional>
 
 class QLabel;
 
@@ -17,20 +14,15 @@ class ValueLabel : public QWidget {
 public:
   enum class Size : std::uint8_t { Small, Medium, Large };
 
-  ValueLabel(const QString& caption, Size size, std::optional<StepColor> color = std::nullopt,
+  /// `role` colours the number; a role of the palette follows every change of theme.
+  ValueLabel(const QString& caption, Size size, QPalette::ColorRole role = QPalette::WindowText,
              QWidget* parent = nullptr);
 
   void setText(const QString& text);
   QString text() const;
   void setCaption(const QString& caption);
 
-protected:
-  void changeEvent(QEvent* event) override;
-
 private:
-  void applyColors();
-
-  std::optional<StepColor> m_color;
   QLabel* m_caption;
   QLabel* m_value;
 };
