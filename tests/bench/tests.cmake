@@ -37,3 +37,9 @@ if(X11_FOUND AND STRAIGHTEDGE_GUI)
   add_executable(bench_first_window bench/first_window.cpp)
   target_link_libraries(bench_first_window PRIVATE straightedge::build_flags X11::X11)
 endif()
+
+# What a live capture costs in the real window: frames a second and the processor's share.
+if(STRAIGHTEDGE_BENCHMARKS AND STRAIGHTEDGE_GUI)
+  add_executable(bench_live_capture bench/live_capture.cpp)
+  target_link_libraries(bench_live_capture PRIVATE straightedge::window)
+endif()

@@ -74,7 +74,7 @@ QString CapturePointsModel::stateText(const Reading& reading) const {
   if (reading.samples == 0) {
     return {};
   }
-  const QString count = tr("%n reading(s)", nullptr, reading.samples);
+  const QString count = reading.samples == 1 ? tr("1 reading") : tr("%1 readings").arg(reading.samples);
   return reading.attempt == 0 ? count : tr("%1, measured again").arg(count);
 }
 

@@ -170,8 +170,8 @@ QWidget* CaptureStep::makePointsBox() {
   m_table->horizontalHeader()->setHighlightSections(false);
   const int character = fontMetrics().averageCharWidth();
   for (const auto& [column, characters] : {std::pair{CapturePointsModel::Point, 7},
-                                           {CapturePointsModel::Turn, 6},
-                                           {CapturePointsModel::Direction, 9},
+                                           {CapturePointsModel::Turn, 7},
+                                           {CapturePointsModel::Direction, 11},
                                            {CapturePointsModel::Planned, 10},
                                            {CapturePointsModel::Sensor, 11},
                                            {CapturePointsModel::Error, 11}}) {

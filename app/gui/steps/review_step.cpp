@@ -153,7 +153,7 @@ QWidget* ReviewStep::makeTable() {
   const int character = fontMetrics().averageCharWidth();
   for (int column = 0; column < ReviewTableModel::Remark; ++column) {
     const bool angle = column >= ReviewTableModel::Encoder;
-    m_table->setColumnWidth(column, character * (angle ? 11 : column == ReviewTableModel::Turn ? 6 : 9));
+    m_table->setColumnWidth(column, character * (angle ? 12 : column == ReviewTableModel::Turn ? 7 : 11));
   }
   m_table->installEventFilter(this);
   connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {

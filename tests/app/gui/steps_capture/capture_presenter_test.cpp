@@ -110,7 +110,7 @@ void CapturePresenterTest::redoesMeasuredPointsOnly() {
   presenter.redo(3);
   QVERIFY(ended.wait(20000));
   QCOMPARE(presenter.points().data(presenter.points().index(3, CapturePointsModel::State), Qt::DisplayRole).toString(),
-           QStringLiteral("1 reading(s), measured again"));
+           QStringLiteral("1 reading, measured again"));
   QCOMPARE(presenter.trace().errorPlot().series[0].x.size(), 16); // the first attempt is not drawn any more
 }
 
