@@ -51,7 +51,8 @@ int main(int argc, char** argv) {
     wallS = static_cast<double>(wall.elapsed()) / 1000.0;
     processorS = static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC;
   });
-  QObject::connect(&window.bench(), &BenchLink::captureEnded, &application, &QCoreApplication::quit);
+  QObject::connect(&window.bench(), &BenchLink::captureEnded, &application,
+                   [] { QCoreApplication::exit(0); }); // quit() would have the window ask what to do with the sweep
   QCoreApplication::exec();
   const auto samples = window.bench().liveSamples().size();
   std::printf("%zu samples in %s s: %s samples/s, %s frames/s with samples, %s plots/s, %s %% of one core, %lld lost\n",
