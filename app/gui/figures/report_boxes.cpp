@@ -14,8 +14,6 @@ namespace straightedge::gui {
 
 namespace {
 
-const QColor ink(0x1d, 0x24, 0x30);
-const QColor quiet(0x5a, 0x64, 0x73);
 constexpr int bodyPixels = 13;
 constexpr int captionPixels = 12;
 constexpr double figureShare = 0.38; ///< height of a figure as a share of the text width: three to a page
@@ -63,14 +61,14 @@ ReportBox textBox(const QString& text, const QFont& font, const QColor& color, d
 }
 
 void addTitle(QList<ReportBox>& boxes, const ReportContent& content, double width) {
-  boxes.append(textBox(content.title, reportFont(26, true), ink, width));
-  ReportBox subtitle = textBox(content.subtitle, reportFont(15), quiet, width);
+  boxes.append(textBox(content.title, reportFont(26, true), reportInk, width));
+  ReportBox subtitle = textBox(content.subtitle, reportFont(15), reportQuietInk, width);
   subtitle.spaceBefore = 2.0;
   boxes.append(subtitle);
 }
 
 void addBoxes(QList<ReportBox>& boxes, const ReportHeading& heading, double width) {
-  ReportBox text = textBox(heading.text, reportFont(17, true), ink, width);
+  ReportBox text = textBox(heading.text, reportFont(17, true), reportInk, width);
   ReportBox box;
   box.height = text.height + 9.0;
   box.spaceBefore = 24.0;
@@ -86,14 +84,14 @@ void addBoxes(QList<ReportBox>& boxes, const ReportHeading& heading, double widt
 void addBoxes(QList<ReportBox>& boxes, const ReportParagraph& paragraph, double width) {
   using Tone = ReportParagraph::Tone;
   if (paragraph.tone == Tone::Plain) {
-    ReportBox box = textBox(paragraph.text, reportFont(bodyPixels), ink, width);
+    ReportBox box = textBox(paragraph.text, reportFont(bodyPixels), reportInk, width);
     box.spaceBefore = 10.0;
     boxes.append(box);
     return;
   }
   constexpr double padding = 9.0;
   constexpr double bar = 4.0;
-  const ReportBox text = textBox(paragraph.text, reportFont(bodyPixels), ink, width - 2.0 * padding - bar);
+  const ReportBox text = textBox(paragraph.text, reportFont(bodyPixels), reportInk, width - 2.0 * padding - bar);
   const QColor edge = paragraph.tone == Tone::Warning ? QColor(0xd9, 0x93, 0x0d)
                       : paragraph.tone == Tone::Good  ? QColor(0x2e, 0x8b, 0x57)
                                                       : QColor(0xc0, 0x39, 0x2b);
@@ -112,7 +110,7 @@ void addBoxes(QList<ReportBox>& boxes, const ReportParagraph& paragraph, double 
 }
 
 void addBoxes(QList<ReportBox>& boxes, const ReportFigure& figure, double width) {
-  const ReportBox caption = textBox(figure.caption, reportFont(captionPixels), quiet, width);
+  const ReportBox caption = textBox(figure.caption, reportFont(captionPixels), reportQuietInk, width);
   const QSizeF plot(width, width * figureShare);
   constexpr double between = 4.0;
   ReportBox box;

@@ -8,6 +8,10 @@
 
 namespace straightedge::gui {
 
+/// Colours of the page's text; a page is paper, so there is no dark theme.
+inline const QColor reportInk(0x1d, 0x24, 0x30);
+inline const QColor reportQuietInk(0x5a, 0x64, 0x73);
+
 void addTitle(QList<ReportBox>& boxes, const ReportContent& content, double width);
 void addBoxes(QList<ReportBox>& boxes, const ReportHeading& heading, double width);
 void addBoxes(QList<ReportBox>& boxes, const ReportParagraph& paragraph, double width);

@@ -13,8 +13,6 @@ namespace straightedge::gui {
 
 namespace {
 
-const QColor ink(0x1d, 0x24, 0x30);
-const QColor quiet(0x5a, 0x64, 0x73);
 constexpr int cellPixels = 12;
 constexpr double columnGap = 18.0;
 constexpr double rowPadding = 3.5;
@@ -60,7 +58,7 @@ ReportBox rowBox(const ReportTable& table, const QStringList& cells, const QList
   for (int c = 0; c < cells.size(); ++c) {
     const bool numeric = c >= table.firstNumericColumn && c <= table.lastNumericColumn;
     const bool label = table.header.isEmpty() && c == 0;
-    const ReportBox text = textBox(cells[c], font, label ? quiet : ink, widths[c]);
+    const ReportBox text = textBox(cells[c], font, label ? reportQuietInk : reportInk, widths[c]);
     const double slack = numeric ? std::max(0.0, widths[c] - metrics.horizontalAdvance(cells[c])) : 0.0;
     placed.append({text, x + slack});
     height = std::max(height, text.height);
@@ -73,7 +71,7 @@ ReportBox rowBox(const ReportTable& table, const QStringList& cells, const QList
     for (const Cell& cell : placed) {
       cell.text.draw(painter, at + QPointF(cell.x, rowPadding));
     }
-    painter.setPen(header ? QPen(ink, 1.2) : QPen(QColor(0xe3, 0xe6, 0xec), 0.8));
+    painter.setPen(header ? QPen(reportInk, 1.2) : QPen(QColor(0xe3, 0xe6, 0xec), 0.8));
     painter.drawLine(at + QPointF(0.0, rowHeight), at + QPointF(ruleWidth, rowHeight));
   };
   return box;
@@ -85,7 +83,7 @@ void addBoxes(QList<ReportBox>& boxes, const ReportTable& table, double width) {
   const QList<double> widths = columnWidths(table, width);
   double spaceBefore = 14.0;
   if (!table.caption.isEmpty()) {
-    ReportBox caption = textBox(table.caption, reportFont(cellPixels), quiet, width);
+    ReportBox caption = textBox(table.caption, reportFont(cellPixels), reportQuietInk, width);
     caption.spaceBefore = spaceBefore;
     caption.keepWithNext = true;
     boxes.append(caption);
