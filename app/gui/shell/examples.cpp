@@ -5,12 +5,12 @@
 namespace straightedge::gui {
 
 namespace {
-QString say(const char* text) { return QCoreApplication::translate("Examples", text); }
+QString sayExample(const char* text) { return QCoreApplication::translate("Examples", text); }
 } // namespace
 
 QList<Example> examples() {
-  return {{":/examples/side_shaft_32.csv", say("Side-shaft magnet, 32 points"),
-           say("Steps of 11.25°, raw error above 20°")}};
+  return {{":/examples/side_shaft_32.csv", sayExample("Side-shaft magnet, 32 points"),
+           sayExample("Steps of 11.25°, raw error above 20°")}};
 }
 
 } // namespace straightedge::gui

@@ -8,7 +8,7 @@
 namespace straightedge::gui {
 
 namespace {
-QString say(const char* text) { return QCoreApplication::translate("ImportPresenter", text); }
+QString sayImport(const char* text) { return QCoreApplication::translate("ImportPresenter", text); }
 
 /// Seven digits at most, as short as they can be.
 QString number(double value) { return QString::number(value, 'g', 7); }
@@ -26,19 +26,19 @@ const std::vector<angle::SweepColumn>& ImportPresenter::roles() {
 QString ImportPresenter::roleText(angle::SweepColumn role) {
   switch (role) {
   case angle::SweepColumn::Ignored:
-    return say("Not used");
+    return sayImport("Not used");
   case angle::SweepColumn::Encoder:
-    return say("Encoder angle (°)");
+    return sayImport("Encoder angle (°)");
   case angle::SweepColumn::Sensor:
-    return say("Sensor angle (°)");
+    return sayImport("Sensor angle (°)");
   case angle::SweepColumn::Turn:
-    return say("Turn");
+    return sayImport("Turn");
   case angle::SweepColumn::Direction:
-    return say("Direction");
+    return sayImport("Direction");
   case angle::SweepColumn::Temperature:
-    return say("Temperature (°C)");
+    return sayImport("Temperature (°C)");
   case angle::SweepColumn::Time:
-    return say("Time (s)");
+    return sayImport("Time (s)");
   }
   return {};
 }
@@ -57,19 +57,20 @@ void ImportPresenter::setRole(std::size_t column, angle::SweepColumn role) {
 QString ImportPresenter::problem() const {
   const auto count = [&](angle::SweepColumn role) { return std::count(m_mapping.begin(), m_mapping.end(), role); };
   if (m_mapping.size() < 2) {
-    return say("The file has a single column. A sweep needs the encoder angle and the sensor angle in columns of their "
-               "own.");
+    return sayImport(
+        "The file has a single column. A sweep needs the encoder angle and the sensor angle in columns of their "
+        "own.");
   }
   if (count(angle::SweepColumn::Encoder) == 0) {
-    return say("Choose the column that holds the encoder (reference) angle.");
+    return sayImport("Choose the column that holds the encoder (reference) angle.");
   }
   if (count(angle::SweepColumn::Sensor) == 0) {
-    return say("Choose the column that holds the sensor angle.");
+    return sayImport("Choose the column that holds the sensor angle.");
   }
   for (std::size_t i = 0; i < m_mapping.size(); ++i) {
     if (m_mapping[i] != angle::SweepColumn::Ignored && m_mapping[i] != angle::SweepColumn::Direction &&
         !m_preview.columns[i].minimum) {
-      return say("The column “%1” holds no numbers.").arg(QString::fromStdString(m_preview.columns[i].title));
+      return sayImport("The column “%1” holds no numbers.").arg(QString::fromStdString(m_preview.columns[i].title));
     }
   }
   if (m_preview.problem && !m_changed) {
@@ -80,21 +81,22 @@ QString ImportPresenter::problem() const {
 
 QString ImportPresenter::layoutText() const {
   const auto& layout = m_preview.layout;
-  const QString separator = layout.separator == '\t'  ? say("tab")
-                            : layout.separator == ';' ? say("semicolon")
-                                                      : say("comma");
-  QStringList parts{
-      say("Separator: %1").arg(separator), layout.decimalPoint == ',' ? say("decimal comma") : say("decimal point"),
-      layout.hasHeader ? say("titles in the first row") : say("no titles"), say("%1 rows").arg(m_preview.rowCount)};
+  const QString separator = layout.separator == '\t'  ? sayImport("tab")
+                            : layout.separator == ';' ? sayImport("semicolon")
+                                                      : sayImport("comma");
+  QStringList parts{sayImport("Separator: %1").arg(separator),
+                    layout.decimalPoint == ',' ? sayImport("decimal comma") : sayImport("decimal point"),
+                    layout.hasHeader ? sayImport("titles in the first row") : sayImport("no titles"),
+                    sayImport("%1 rows").arg(m_preview.rowCount)};
   return parts.join(QStringLiteral(" · "));
 }
 
 QString ImportPresenter::rangeText(std::size_t column) const {
   const auto& info = m_preview.columns[column];
   if (!info.minimum || !info.maximum) {
-    return say("no numbers");
+    return sayImport("no numbers");
   }
-  return say("%1 … %2").arg(number(*info.minimum), number(*info.maximum));
+  return sayImport("%1 … %2").arg(number(*info.minimum), number(*info.maximum));
 }
 
 } // namespace straightedge::gui

@@ -10,33 +10,33 @@ namespace straightedge::gui {
 
 namespace {
 
-QString say(const char* text) { return QCoreApplication::translate("StepState", text); }
+QString sayState(const char* text) { return QCoreApplication::translate("StepState", text); }
 
 QString degrees(double value) { return QString::fromStdString(formatForPeople(value, 3)) + QStringLiteral("°"); }
 
 StepState connectState(const BenchLink& bench) {
   if (bench.isConnected()) {
-    return {StepProgress::Done, say("Connected: %1.").arg(bench.benchName())};
+    return {StepProgress::Done, sayState("Connected: %1.").arg(bench.benchName())};
   }
   return {StepProgress::Available, {}};
 }
 
 StepState captureState(const AngleDocument& document, const BenchLink& bench) {
   if (bench.isCapturing()) {
-    return {StepProgress::Available, say("Capturing.")};
+    return {StepProgress::Available, sayState("Capturing.")};
   }
   if (const auto points = document.sweep().size(); points > 0) {
-    return {StepProgress::Done, say("%1 points recorded.").arg(points)};
+    return {StepProgress::Done, sayState("%1 points recorded.").arg(points)};
   }
   if (!bench.isConnected()) {
-    return {StepProgress::Missing, say("Connect a bench first, or import a sweep from a CSV file.")};
+    return {StepProgress::Missing, sayState("Connect a bench first, or import a sweep from a CSV file.")};
   }
   return {StepProgress::Available, {}};
 }
 
 StepState refusedOr(const AngleDocument& document, const StepState& otherwise) {
   if (document.sweep().size() == 0) {
-    return {StepProgress::Missing, say("There is no sweep yet: capture one, or import a CSV file.")};
+    return {StepProgress::Missing, sayState("There is no sweep yet: capture one, or import a CSV file.")};
   }
   if (document.runError()) {
     return {StepProgress::Failed, QString::fromStdString(document.runError()->message())};
@@ -46,9 +46,9 @@ StepState refusedOr(const AngleDocument& document, const StepState& otherwise) {
 
 StepState verifyState(const AngleDocument& document) {
   if (const auto& report = document.verification()) {
-    const QString text =
-        (report->met ? say("Passed: largest error %1, limit %2.") : say("Failed: largest error %1, limit %2."))
-            .arg(degrees(report->maxErrorDeg), degrees(report->limitDeg));
+    const QString text = (report->met ? sayState("Passed: largest error %1, limit %2.")
+                                      : sayState("Failed: largest error %1, limit %2."))
+                             .arg(degrees(report->maxErrorDeg), degrees(report->limitDeg));
     return {report->met ? StepProgress::Done : StepProgress::Failed, text};
   }
   if (const auto& error = document.verificationError()) {

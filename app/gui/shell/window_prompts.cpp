@@ -9,11 +9,11 @@ namespace straightedge::gui {
 
 namespace {
 
-QString say(const char* text) { return QCoreApplication::translate("WindowPrompts", text); }
+QString sayPrompt(const char* text) { return QCoreApplication::translate("WindowPrompts", text); }
 
 /// Two answers, the harmless one as default and on Escape.
 bool confirm(QWidget* parent, const QString& question, const QString& detail, const QString& yes) {
-  QMessageBox box(QMessageBox::Warning, say("Straightedge"), question, QMessageBox::NoButton, parent);
+  QMessageBox box(QMessageBox::Warning, sayPrompt("Straightedge"), question, QMessageBox::NoButton, parent);
   box.setInformativeText(detail);
   auto* go = box.addButton(yes, QMessageBox::DestructiveRole);
   auto* cancel = box.addButton(QMessageBox::Cancel);
@@ -26,13 +26,13 @@ bool confirm(QWidget* parent, const QString& question, const QString& detail, co
 } // namespace
 
 WindowPrompts::CloseAnswer DialogPrompts::askClose(QWidget* parent) {
-  QMessageBox box(QMessageBox::Question, say("Straightedge"), say("Save this calibration under a name?"),
+  QMessageBox box(QMessageBox::Question, sayPrompt("Straightedge"), sayPrompt("Save this calibration under a name?"),
                   QMessageBox::NoButton, parent);
   box.setInformativeText(
-      say("It can also be kept as it is: the start page then offers it under “Unsaved calibrations”."));
-  auto* save = box.addButton(say("&Save…"), QMessageBox::AcceptRole);
-  auto* keep = box.addButton(say("&Keep for later"), QMessageBox::AcceptRole);
-  auto* discard = box.addButton(say("&Discard"), QMessageBox::DestructiveRole);
+      sayPrompt("It can also be kept as it is: the start page then offers it under “Unsaved calibrations”."));
+  auto* save = box.addButton(sayPrompt("&Save…"), QMessageBox::AcceptRole);
+  auto* keep = box.addButton(sayPrompt("&Keep for later"), QMessageBox::AcceptRole);
+  auto* discard = box.addButton(sayPrompt("&Discard"), QMessageBox::DestructiveRole);
   auto* cancel = box.addButton(QMessageBox::Cancel);
   box.setDefaultButton(save);
   box.setEscapeButton(cancel);
@@ -44,37 +44,37 @@ WindowPrompts::CloseAnswer DialogPrompts::askClose(QWidget* parent) {
   if (clicked == keep) {
     return CloseAnswer::KeepForLater;
   }
-  if (clicked == discard && confirm(parent, say("Discard this calibration for good?"),
-                                    say("Its samples and choices are deleted."), say("&Discard"))) {
+  if (clicked == discard && confirm(parent, sayPrompt("Discard this calibration for good?"),
+                                    sayPrompt("Its samples and choices are deleted."), sayPrompt("&Discard"))) {
     return CloseAnswer::Discard;
   }
   return CloseAnswer::Cancel;
 }
 
 bool DialogPrompts::confirmStopCapture(QWidget* parent) {
-  return confirm(parent, say("A capture is running. Stop it?"),
-                 say("What was captured so far stays in the session, and the sweep can be resumed."),
-                 say("&Stop capture"));
+  return confirm(parent, sayPrompt("A capture is running. Stop it?"),
+                 sayPrompt("What was captured so far stays in the session, and the sweep can be resumed."),
+                 sayPrompt("&Stop capture"));
 }
 
 bool DialogPrompts::confirmLoss(QWidget* parent, const QString& problem) {
-  return confirm(parent, say("The last changes cannot be written. Close all the same?"), problem,
-                 say("Close and &lose them"));
+  return confirm(parent, sayPrompt("The last changes cannot be written. Close all the same?"), problem,
+                 sayPrompt("Close and &lose them"));
 }
 
 bool DialogPrompts::confirmDelete(QWidget* parent, const QString& what) {
-  return confirm(parent, say("Delete this unsaved calibration?"), what, say("&Delete"));
+  return confirm(parent, sayPrompt("Delete this unsaved calibration?"), what, sayPrompt("&Delete"));
 }
 
 QString DialogPrompts::askOpenFile(QWidget* parent, const QString& folder) {
-  return QFileDialog::getOpenFileName(parent, say("Open"), folder,
-                                      say("Calibrations and sweeps (*.sedge *.csv *.tsv *.txt);;"
-                                          "Calibrations (*.sedge);;Sweeps (*.csv *.tsv *.txt);;All files (*)"));
+  return QFileDialog::getOpenFileName(parent, sayPrompt("Open"), folder,
+                                      sayPrompt("Calibrations and sweeps (*.sedge *.csv *.tsv *.txt);;"
+                                                "Calibrations (*.sedge);;Sweeps (*.csv *.tsv *.txt);;All files (*)"));
 }
 
 QString DialogPrompts::askSaveFile(QWidget* parent, const QString& suggestion) {
   // Not getSaveFileName(): the suffix must be there before the dialogue asks about overwriting.
-  QFileDialog dialog(parent, say("Save calibration as"), suggestion, say("Calibrations (*.sedge)"));
+  QFileDialog dialog(parent, sayPrompt("Save calibration as"), suggestion, sayPrompt("Calibrations (*.sedge)"));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix("sedge");
   dialog.selectFile(suggestion);
@@ -82,8 +82,8 @@ QString DialogPrompts::askSaveFile(QWidget* parent, const QString& suggestion) {
 }
 
 QString DialogPrompts::askCsvFile(QWidget* parent, const QString& folder) {
-  return QFileDialog::getOpenFileName(parent, say("Import sweep"), folder,
-                                      say("Sweeps (*.csv *.tsv *.txt);;All files (*)"));
+  return QFileDialog::getOpenFileName(parent, sayPrompt("Import sweep"), folder,
+                                      sayPrompt("Sweeps (*.csv *.tsv *.txt);;All files (*)"));
 }
 
 } // namespace straightedge::gui
