@@ -10,13 +10,22 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Smallest and largest row of the pixel column that is being filled.
+/// Smallest and largest row of the pixel column that is being filled, and where the column is in data units: comparing
+/// with these is quicker than finding the column of every point.
 struct Column {
-  double index = nan;
+  double from = nan, to = nan; ///< NaN: none is being filled
   std::size_t first = 0, lowest = 0, highest = 0, last = 0;
 
-  void start(double column, std::size_t row) {
-    index = column;
+  bool empty() const { return std::isnan(from); }
+  bool contains(double x) const { return x >= from && x < to; } // false while empty
+  void start(double x, const AxisScale& scale, int columns, std::size_t row) {
+    const double index = std::floor(scale.toUnit(x) * columns);
+    from = scale.fromUnit(index / columns);
+    to = scale.fromUnit((index + 1.0) / columns);
+    if (x >= to) { // rounding
+      from = to;
+      to = scale.fromUnit((index + 2.0) / columns);
+    }
     first = lowest = highest = last = row;
   }
 };
@@ -103,7 +112,7 @@ std::vector<UnitPoint> decimate(std::span<const double> x, std::span<const doubl
 
   Column column;
   const auto flush = [&] {
-    if (std::isnan(column.index)) {
+    if (column.empty()) {
       return;
     }
     const std::size_t nearer = std::min(column.lowest, column.highest);
@@ -115,9 +124,8 @@ std::vector<UnitPoint> decimate(std::span<const double> x, std::span<const doubl
         previous = row;
       }
     }
-    column.index = nan;
+    column.from = column.to = nan;
   };
-  const double perColumn = columns / (xScale.maximum - xScale.minimum);
   for (std::size_t row = first; row < last; ++row) {
     const double value = y[row];
     if (!drawable(value, yScale) || !drawable(x[row], xScale)) {
@@ -125,12 +133,9 @@ std::vector<UnitPoint> decimate(std::span<const double> x, std::span<const doubl
       gap();
       continue;
     }
-    const double position =
-        xScale.logarithmic ? xScale.toUnit(x[row]) * columns : (x[row] - xScale.minimum) * perColumn;
-    const double index = std::floor(position);
-    if (index != column.index) {
+    if (!column.contains(x[row])) {
       flush();
-      column.start(index, row);
+      column.start(x[row], xScale, columns, row);
       continue;
     }
     column.last = row;

@@ -165,7 +165,9 @@ void PainterDevice::strokeRun(const QPolygonF& run, const QPen& pen) const {
     const double shift = 0.35 * (deviceWidth - 0.5) / scale;
     m_painter->drawPolyline(run.translated(-shift, 0.0));
     m_painter->drawPolyline(run.translated(shift, 0.0));
-    m_painter->drawPolyline(run.translated(0.0, shift));
+    if (deviceWidth > 2.0) {
+      m_painter->drawPolyline(run.translated(0.0, shift));
+    }
     return;
   }
   QPen piecewise = pen;

@@ -18,11 +18,11 @@ std::span<const double> view(const QList<double>& values) {
 }
 
 bool isAscending(std::span<const double> x) {
-  bool ascending = x.empty() || !std::isnan(x.front());
-  for (std::size_t i = 1; i < x.size(); ++i) {
-    ascending = ascending && x[i] >= x[i - 1]; // false for NaN
+  if (!x.empty() && std::isnan(x.front())) {
+    return false;
   }
-  return ascending;
+  const auto falls = [](double before, double after) { return !(after >= before); }; // also where one is NaN
+  return std::adjacent_find(x.begin(), x.end(), falls) == x.end();
 }
 
 void append(std::vector<float>& to, double x, double y) {
@@ -63,6 +63,10 @@ void prepareBars(SeriesGeometry& out, const PlotSpec& spec, int index, const Plo
 
 void prepareMarkers(SeriesGeometry& out, const PlotSeries& series, const PlotWindow& window, const QSizeF& pixels,
                     double devicePixelRatio) {
+  const bool marked = series.style == SeriesStyle::Points || series.style == SeriesStyle::LineAndPoints;
+  if (!marked && series.emphasised.isEmpty()) {
+    return;
+  }
   const auto x = view(series.x);
   const auto y = view(series.y);
   const AxisScale& yScale = window.yOf(series);
@@ -70,7 +74,7 @@ void prepareMarkers(SeriesGeometry& out, const PlotSeries& series, const PlotWin
   const auto place = [&](std::vector<float>& to, std::size_t row) {
     append(to, window.x.toUnit(x[row]), yScale.toUnit(y[row]));
   };
-  if (series.style == SeriesStyle::Points || series.style == SeriesStyle::LineAndPoints) {
+  if (marked) {
     // One marker per logical half pixel at most, coarser where they would only paint over each other.
     const double cell = x.size() > 20000 ? 1.5 : 0.5;
     const double size = devicePixelRatio * cell;

@@ -239,9 +239,7 @@ void PlotPictureTest::clipIsRespected() {
   painter.setClipRect(QRect(50, 40, 400, 300));
   paintPlot(painter, QRectF(20, 10, 460, 380), figures::errorOverAngle(), PlotTheme::Light);
   painter.end();
-  for (const QPoint at : {QPoint(49, 200), QPoint(451, 200), QPoint(200, 39), QPoint(200, 341), QPoint(5, 5)}) {
-    QCOMPARE(image.pixelColor(at), QColor(Qt::magenta));
-  }
+  QCOMPARE(pixelsLike(image, Qt::magenta), 500 * 400 - 400 * 300); // nothing outside, everything inside
   QCOMPARE(pixelsLike(image.copy(50, 40, 400, 300), Qt::magenta), 0);
 }
 

@@ -193,6 +193,9 @@ void PlotViewTest::clickIsNotADrag() {
   drag(*m_view, point - QPointF(30.0, 0.0), point);
   QVERIFY(clicked.isEmpty());
   m_view->resetZoom();
+  drag(*m_view, point, point + QPointF(30.0, 0.0));
+  QVERIFY(clicked.isEmpty());
+  m_view->resetZoom();
   QTest::mouseClick(m_view.get(), Qt::LeftButton, Qt::NoModifier, (point + QPointF(2.0, 1.0)).toPoint());
   QCOMPARE(clicked.size(), 1);
   QCOMPARE(clicked[0].at(1).toInt(), 1);
