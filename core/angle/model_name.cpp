@@ -147,7 +147,7 @@ Result<ModelName> parseModelName(std::string_view text) {
       return wrongName(text, quoted(rest.substr(slash + 1)) + " is not a number of bits",
                        "use /" + std::to_string(smallestBits) + " to /" + std::to_string(largestBits));
     }
-    name.bits = *bits;
+    name.bits = bits;
     rest = rest.substr(0, slash);
   }
   if (const auto at = rest.find('@'); at != std::string_view::npos) {

@@ -126,6 +126,7 @@ std::optional<Error> refuseTurning(const Sweep& sweep, const Eigen::VectorXd& en
 
   const auto turns = static_cast<int>(std::lround(position / 360.0));
   std::vector<double> unruly;
+  unruly.reserve(steps.shaftDeg.size());
   for (std::size_t i = 0; i < steps.shaftDeg.size(); ++i) {
     unruly.push_back(std::abs(wrap180(steps.sensorDeg[i] - turns * steps.shaftDeg[i])));
   }

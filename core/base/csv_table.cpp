@@ -87,7 +87,7 @@ Result<void> CsvTable::addRow(std::size_t begin, std::size_t end, std::size_t li
   bool anyText = false;
   while (true) {
     // A cell that begins with a quote runs to its closing quote; "" inside stands for one.
-    std::size_t cellEnd = cellBegin;
+    std::size_t cellEnd = 0;
     std::size_t contentBegin = std::min(m_text.find_first_not_of(' ', cellBegin), end);
     std::size_t contentEnd = 0;
     if (contentBegin < end && m_text[contentBegin] == '"') {

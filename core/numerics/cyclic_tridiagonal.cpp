@@ -71,7 +71,7 @@ CyclicTridiagonal::InverseBand CyclicTridiagonal::inverseBand() const {
   for (Eigen::Index i = n - 2; i >= 1; --i) {
     fromLast *= -m_multiplier(i);
   }
-  double fromLastButOne = diagonal(n - 2);
+  double fromLastButOne = 0.0;
   if (n > 3) {
     fromLastButOne = band.next(n - 3);
     // T⁻¹(i, n−2) for i ≤ n−3 follows row by row as well

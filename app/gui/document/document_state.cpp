@@ -102,11 +102,11 @@ QStringList AngleDocument::Impl::load(session::Session& session) {
 SweepState AngleDocument::Impl::sweepOf(session::Session& session, QStringList& problems) const {
   const auto imported = session.document(importedSweepDocument);
   if (imported && !imported->empty()) {
-    if (auto sweep = sweepFromJson(*imported)) {
+    auto sweep = sweepFromJson(*imported);
+    if (sweep) {
       return {std::make_shared<const angle::Sweep>(std::move(*sweep)), SweepOrigin::Imported};
-    } else {
-      problems.append(sentence(sweep.error()));
     }
+    problems.append(sentence(sweep.error()));
   } else if (!imported) {
     problems.append(sentence(imported.error()));
   }

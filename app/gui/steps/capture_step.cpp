@@ -302,6 +302,7 @@ void CaptureStep::takeSamples(int first) {
   if (first == 0) {
     std::vector<double> turn;
     const devices::AnglePlan& plan = m_presenter.shownPlan();
+    turn.reserve(static_cast<std::size_t>(plan.pointsPerTurn));
     for (int i = 0; i < plan.pointsPerTurn; ++i) {
       turn.push_back(plan.startDeg + 360.0 * i / plan.pointsPerTurn);
     }

@@ -142,7 +142,7 @@ QString VerifyPresenter::progressText() const {
   const devices::CaptureProgress progress = m_bench.progress();
   QString text = tr("%1 of %2 points").arg(progress.pointsDone).arg(progress.pointsPlanned);
   if (progress.remainingS) {
-    text += tr(", %1 s left").arg(static_cast<int>(*progress.remainingS + 0.5));
+    text += tr(", %1 s left").arg(qRound(*progress.remainingS));
   }
   return text;
 }
