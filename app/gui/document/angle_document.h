@@ -42,7 +42,7 @@ public:
   ~AngleDocument() override;
 
   // Life
-  Result<void> createScratch();           ///< a new, unnamed session
+  Result<void> createScratch(); ///< a new, unnamed session
   /// Whether open() would take the file; nothing that is open is touched. Errors: those of open().
   static Result<void> probe(const QString& file);
   Result<void> open(const QString& file); ///< a file of the scratch folder is recovered: it stays unnamed

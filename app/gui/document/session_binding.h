@@ -41,7 +41,7 @@ public:
 
 signals:
   void failed(const QString& message); ///< once per run of failures
-  void written(); ///< what was pending is in the file
+  void written();                      ///< what was pending is in the file
 
 private:
   std::unique_ptr<session::Session> m_session;

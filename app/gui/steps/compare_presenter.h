@@ -42,7 +42,7 @@ public:
   angle::Recommendation forBudget() const;
 
   // Choosing
-  void choosePoint(int series, int index); ///< a click in the plot
+  void choosePoint(int series, int index);        ///< a click in the plot
   void chooseModel(const angle::ModelName& name); ///< becomes the selected model; joins the list of Fit
   QString chosenText() const;                     ///< the selected model, its storage and errors
 

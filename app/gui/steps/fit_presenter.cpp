@@ -20,7 +20,7 @@ FitPresenter::FitPresenter(AngleDocument& document, QObject* parent) : QObject(p
 }
 
 QList<FitView> FitPresenter::views() {
-  return {FitView::CurveAndModels,  FitView::Residuals,      FitView::Harmonics,    FitView::GrowingHarmonics,
+  return {FitView::CurveAndModels,  FitView::Residuals,      FitView::Harmonics,     FitView::GrowingHarmonics,
           FitView::GrowingSegments, FitView::GrowingEntries, FitView::LinearMethods, FitView::TableSteps,
           FitView::ThreeTurns,      FitView::Projection};
 }
@@ -261,7 +261,8 @@ ReportTable FitPresenter::modelsTable() const {
   table.rows.clear();
   for (const angle::ModelName& name : models()) {
     const QString text = modelNameText(name);
-    const auto row = std::ranges::find_if(fitted.rows, [&text](const QStringList& each) { return each.front() == text; });
+    const auto row =
+        std::ranges::find_if(fitted.rows, [&text](const QStringList& each) { return each.front() == text; });
     if (row != fitted.rows.end()) {
       table.rows.append(*row);
     } else {

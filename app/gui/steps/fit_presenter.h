@@ -59,7 +59,7 @@ public:
   void selectModel(int place);
   ReportTable modelsTable() const; ///< a row per model; dashes while a new one is being fitted
 
-  QString missing() const; ///< empty when there is a curve; otherwise what to do
+  QString missing() const;      ///< empty when there is a curve; otherwise what to do
   QStringList warnings() const; ///< of the data and the models, whole sentences
 
 signals:
