@@ -86,19 +86,19 @@ PlotSpec correctedErrorFigure(const angle::VerificationReport& report) {
   PlotSpec spec = encoderSpec(QStringLiteral("Error after correction"), QStringLiteral("Error after correction (°)"));
   PlotSeries after = errorSeries(QStringLiteral("After"), report.encoderDeg, report.errorAfterDeg, SeriesColor::First);
   spec.series = {after};
-  if (report.expandedUncertaintyDeg > 0.0) {
-    PlotSeries band;
-    band.color = SeriesColor::Muted;
-    band.dashed = true;
-    band.name = QStringLiteral("Expanded uncertainty (95 %)");
+  // Within these lines a point keeps the limit whatever its uncertainty; none where the uncertainty eats up the limit.
+  const double beyondDoubtDeg = report.limitDeg - report.expandedUncertaintyDeg;
+  if (report.expandedUncertaintyDeg > 0.0 && beyondDoubtDeg > 0.0) {
+    PlotSeries line;
+    line.color = SeriesColor::Muted;
+    line.dashed = true;
+    line.name = QStringLiteral("Limit less the expanded uncertainty (95 %)");
     for (const double sign : {1.0, -1.0}) {
-      PlotSeries edge = band;
-      edge.x = after.x;
-      for (const double value : after.y) {
-        edge.y.append(value + sign * report.expandedUncertaintyDeg);
-      }
+      PlotSeries edge = line;
+      edge.x = {0.0, 360.0};
+      edge.y = {sign * beyondDoubtDeg, sign * beyondDoubtDeg};
       spec.series.append(edge);
-      band.name.clear();
+      line.name.clear();
     }
   }
   const double reach = 1.15 * (std::max(report.maxErrorDeg, report.limitDeg) + report.expandedUncertaintyDeg);

@@ -10,7 +10,7 @@ namespace straightedge::gui {
 /// with the limit on both sides.
 PlotSpec beforeAfterFigure(const angle::VerificationReport& report);
 
-/// Only the corrected error, with the limit and the band of the expanded uncertainty about it.
+/// Only the corrected error, with the limit and, inside it, where the limit is kept beyond doubt.
 PlotSpec correctedErrorFigure(const angle::VerificationReport& report);
 
 } // namespace straightedge::gui

@@ -116,15 +116,17 @@ TEST(BeforeAfter, GivesALargeErrorBeforeAnAxisOfItsOwn) {
   EXPECT_FALSE(beforeAfterFigure(small).right.has_value());
 }
 
-TEST(CorrectedError, ShowsTheBandOfUncertainty) {
+TEST(CorrectedError, ShowsWhereTheLimitIsKeptBeyondDoubt) {
   const auto results = testing::exampleResults();
   angle::VerificationReport report = *results->verification;
   report.expandedUncertaintyDeg = 0.25;
   const PlotSpec spec = correctedErrorFigure(report);
   ASSERT_EQ(spec.series.size(), 3);
-  EXPECT_NEAR(spec.series[1].y[4] - spec.series[0].y[4], 0.25, 1e-12);
-  EXPECT_NEAR(spec.series[2].y[4] - spec.series[0].y[4], -0.25, 1e-12);
+  EXPECT_EQ(spec.series[1].y, QList<double>(2, report.limitDeg - 0.25));
+  EXPECT_EQ(spec.series[2].y, QList<double>(2, 0.25 - report.limitDeg));
   EXPECT_GT(*spec.y.maximum, report.limitDeg);
+  report.expandedUncertaintyDeg = report.limitDeg; // nothing is beyond doubt then
+  EXPECT_EQ(correctedErrorFigure(report).series.size(), 1);
   report.expandedUncertaintyDeg = 0.0;
   EXPECT_EQ(correctedErrorFigure(report).series.size(), 1);
 }
