@@ -7,7 +7,8 @@ function(straightedge_add_qt_test)
   add_executable(${ARG_NAME} ${ARG_SOURCES})
   set_target_properties(${ARG_NAME} PROPERTIES AUTOMOC ON)
   target_link_libraries(${ARG_NAME} PRIVATE straightedge::build_flags Qt6::Test Qt6::Widgets ${ARG_LIBRARIES})
-  target_compile_options(${ARG_NAME} PRIVATE ${STRAIGHTEDGE_TEST_OPTIONS})
+  target_compile_options(${ARG_NAME} PRIVATE ${STRAIGHTEDGE_TEST_OPTIONS}
+    "SHELL:-include ${PROJECT_SOURCE_DIR}/tests/app/gui/patience.h")
   target_compile_definitions(${ARG_NAME} PRIVATE
     STRAIGHTEDGE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
     STRAIGHTEDGE_BINARY_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")

@@ -52,7 +52,7 @@ void JobRunnerTest::resultComesBackInTheGuiThread() {
         value = result.value_or(-1);
       });
   QVERIFY(runner.isRunning("a"));
-  QVERIFY(idle.wait());
+  QVERIFY(idle.wait(60000));
   QCOMPARE(value, 42);
   QCOMPARE(delivered, thread());
   QVERIFY(worked != thread());
@@ -69,7 +69,7 @@ void JobRunnerTest::aNewJobOfTheSameKeyOvertakesTheOld() {
   started.acquire();
   QSignalSpy idle(&runner, &JobRunner::idle);
   runner.run<int>("a", "second", [](const JobControl&) -> Result<int> { return 2; }, deliver);
-  QVERIFY(idle.wait());
+  QVERIFY(idle.wait(60000));
   QCOMPARE(delivered, QList<int>{2});
   QCOMPARE(ended.count(), 2);
   QCOMPARE(ended[0][1].toBool(), true); // the first was cancelled
@@ -93,7 +93,7 @@ void JobRunnerTest::aCancelledJobDeliversNothing() {
   // A second job passes through the same queue: whatever the first one posted has been handled when it is done.
   QSignalSpy secondIdle(&runner, &JobRunner::idle);
   runner.run<int>("b", "B", [](const JobControl&) -> Result<int> { return 1; }, [](Result<int>) {});
-  QVERIFY(secondIdle.wait());
+  QVERIFY(secondIdle.wait(60000));
   QVERIFY(!delivered);
 }
 
@@ -111,7 +111,7 @@ void JobRunnerTest::progressIsReported() {
         return 0;
       },
       [](Result<int>) {});
-  QVERIFY(idle.wait());
+  QVERIFY(idle.wait(60000));
   QVERIFY(progress.count() >= 2);
   QVERIFY(progress.count() < 5000); // throttled: the event loop is not flooded
   QCOMPARE(progress.last()[1].toDouble(), 1.0);
@@ -124,7 +124,7 @@ void JobRunnerTest::anExceptionBecomesAnError() {
   runner.run<int>(
       "a", "A", [](const JobControl&) -> Result<int> { throw std::runtime_error("out of luck"); },
       [&](Result<int> result) { error = result.error(); });
-  QVERIFY(idle.wait());
+  QVERIFY(idle.wait(60000));
   QVERIFY(error.has_value());
   QVERIFY(error->what.find("out of luck") != std::string::npos);
 }
@@ -140,7 +140,7 @@ void JobRunnerTest::idleComesAfterTheLastJob() {
         ++done;
         runner.run<int>("b", "B", [](const JobControl&) -> Result<int> { return 2; }, [&](Result<int>) { ++done; });
       });
-  QVERIFY(idle.wait());
+  QVERIFY(idle.wait(60000));
   QCOMPARE(done, 2);
   QCOMPARE(idle.count(), 1);
 }

@@ -96,14 +96,14 @@ void PlotViewTest::cleanup() { m_view.reset(); }
 void PlotViewTest::waitForPaint() {
   QSignalSpy painted(m_view.get(), &PlotView::painted);
   m_view->update();
-  QVERIFY(painted.wait());
+  QVERIFY(painted.wait(60000));
 }
 
 void PlotViewTest::show(const PlotSpec& spec) {
   QSignalSpy painted(m_view.get(), &PlotView::painted);
   m_view->setSpec(spec);
   m_view->show();
-  QVERIFY(!painted.isEmpty() || painted.wait());
+  QVERIFY(!painted.isEmpty() || painted.wait(60000));
   waitForPaint();
 }
 
@@ -390,7 +390,7 @@ void PlotViewTest::livePointsExtendTheRange() {
   for (int i = 0; i < 50; ++i) {
     m_view->appendPoints(0, {4.0 + i}, {1.0});
   }
-  QVERIFY(painted.wait());
+  QVERIFY(painted.wait(60000));
   QCOMPARE(painted.size(), 1); // one repaint for all of them
 }
 

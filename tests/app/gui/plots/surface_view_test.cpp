@@ -65,7 +65,7 @@ void SurfaceViewTest::startsWhenShown() {
   QVERIFY(!view.isStarted());
   QSignalSpy painted(&view, &SurfaceView::painted);
   view.show();
-  QVERIFY(!painted.isEmpty() || painted.wait());
+  QVERIFY(!painted.isEmpty() || painted.wait(60000));
   QVERIFY2(view.isStarted(), "no EGL here: libgl1-mesa-dri is among the dependencies");
   const QImage shown = view.grab().toImage();
   QVERIFY2(coloursIn(shown) > 1000, qPrintable(QString::number(coloursIn(shown))));
