@@ -123,7 +123,8 @@ QWidget* ExportStep::makeChoices() {
   column->addLayout(buttons);
   column->addStretch(1);
 
-  connect(m_folder, &QLineEdit::editingFinished, this, [this] {
+  // The presenter is the context: a closing window takes the focus away when the presenter is gone already.
+  connect(m_folder, &QLineEdit::editingFinished, &m_presenter, [this] {
     if (QDir::fromNativeSeparators(m_folder->text()) != m_presenter.folder()) {
       m_presenter.setFolder(QDir::fromNativeSeparators(m_folder->text()));
     }
