@@ -32,7 +32,7 @@ void addCaptureCommand(CLI::App& program, std::function<void(std::function<Resul
   const char* group = "Simulated bench";
   angle->add_option("--seed", request->seed, "Repeats a run (1)")->group(group);
   angle->add_option("--geometry", request->geometry, "on-axis or side-shaft")
-      ->transform(CLI::CheckedTransformer(geometries))
+      ->transform(CLI::CheckedTransformer(geometries).description(""))
       ->group(group)
       ->type_name("NAME");
   angle->add_flag("--decreasing", request->decreasing, "Sensor mounted upside down")->group(group);

@@ -10,7 +10,11 @@ QString sayExample(const char* text) { return QCoreApplication::translate("Examp
 
 QList<Example> examples() {
   return {{":/examples/side_shaft_32.csv", sayExample("Side-shaft magnet, 32 points"),
-           sayExample("Steps of 11.25°, raw error above 20°")}};
+           sayExample("A recorded turn in steps of 11.25°")},
+          {":/examples/side_shaft_two_turns.csv", sayExample("Side-shaft magnet, two turns, both directions"),
+           sayExample("Simulated; shows hysteresis and repeatability")},
+          {":/examples/on_axis_64.csv", sayExample("Magnet on the shaft's end, 64 points"),
+           sayExample("Simulated; a small correction")}};
 }
 
 } // namespace straightedge::gui

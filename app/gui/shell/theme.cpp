@@ -49,6 +49,23 @@ bool desktopIsDark() {
   return dark;
 }
 
+/// Fusion frames check boxes darker than the window, which nobody sees on a dark one.
+QString darkCheckBoxes(const QPalette& palette) {
+  const auto rule = [](const QString& state, const QString& look) {
+    return QStringLiteral("QCheckBox::indicator%1, QAbstractItemView::indicator%1 { %2 }").arg(state, look);
+  };
+  const QString frame = palette.color(QPalette::PlaceholderText).name();
+  const QString accent = palette.color(QPalette::Highlight).name();
+  const QString faint = palette.color(QPalette::Mid).name();
+  return rule({}, QStringLiteral("width: 13px; height: 13px; border: 1px solid %1; border-radius: 3px; background: %2;")
+                      .arg(frame, palette.color(QPalette::Base).name())) +
+         rule(QStringLiteral(":checked"),
+              QStringLiteral("background: %1; border-color: %1; image: url(:/theme/check.svg);").arg(accent)) +
+         rule(QStringLiteral(":disabled"), QStringLiteral("border-color: %1;").arg(faint)) +
+         rule(QStringLiteral(":checked:disabled"), QStringLiteral("background: %1;").arg(faint)) +
+         QStringLiteral("QCheckBox::indicator:focus { border-color: %1; }").arg(palette.color(QPalette::Text).name());
+}
+
 } // namespace
 
 QPalette lightPalette() {
@@ -112,7 +129,8 @@ void applyTheme(QApplication& application, ThemeChoice choice) {
                                            "QStatusBar::item { border: none; }"
                                            "QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }"
                                            "QMenu::separator { height: 1px; background: %1; margin: 4px 8px; }")
-                                .arg(border));
+                                .arg(border) +
+                            (dark ? darkCheckBoxes(palette) : QString()));
 }
 
 } // namespace straightedge::gui

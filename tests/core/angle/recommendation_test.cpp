@@ -54,6 +54,11 @@ TEST(Recommendation, oneRunnerUpOrNone) {
             "linear:17 meets 0.25° with 17 entries (68 bytes), 0.200° maximum error.");
 }
 
+TEST(Recommendation, digitsOfARoundingErrorAreNotShown) {
+  const Comparison exact{{row("harmonic:8", 4.26e-14), row("linear:64", 0.02)}};
+  EXPECT_THAT(recommendForBudget(exact, 64).sentence, testing::HasSubstr("less than 0.000001° maximum error"));
+}
+
 TEST(Recommendation, theFineGridCountsWhereItIsKnown) {
   EXPECT_FALSE(recommendForTarget(some(), 0.32).choice); // lut:300 reaches 0.3° only on the coarse grid
   EXPECT_TRUE(recommendForTarget(some(), 0.35).choice);
