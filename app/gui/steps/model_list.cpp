@@ -5,6 +5,7 @@
 #include "app/gui/steps/fit_presenter.h"
 #include "app/gui/steps/step_page.h"
 
+#include <QEvent>
 #include <QPainter>
 #include <QScopedValueRollback>
 
@@ -52,6 +53,13 @@ void ModelList::refresh() {
     QFont bold = font();
     bold.setBold(selected);
     cell->setFont(bold);
+  }
+}
+
+void ModelList::changeEvent(QEvent* event) {
+  ResultTable::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && rowCount() > 0) {
+    refresh();
   }
 }
 

@@ -14,6 +14,9 @@ public:
   explicit ModelList(FitPresenter& presenter, QWidget* parent = nullptr);
   void refresh();
 
+protected:
+  void changeEvent(QEvent* event) override; ///< swatches follow the theme
+
 private:
   FitPresenter& m_presenter;
   bool m_filling = false;
