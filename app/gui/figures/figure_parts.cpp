@@ -111,7 +111,8 @@ QString methodTitle(ModelKind kind, FitMethod method) {
 QString modelNameText(const angle::ModelName& name) { return QString::fromStdString(name.text()); }
 
 QString degrees(double valueDeg, int digits) {
-  return QString::fromStdString(formatForPeople(valueDeg, digits)) + QChar(0x00b0);
+  QString text = QString::fromStdString(formatForPeople(valueDeg, digits)) + QChar(0x00b0);
+  return text.replace(QLatin1Char('-'), QChar(0x2212)); // the axes' minus sign
 }
 
 QString fromText(const std::string& text) { return QString::fromStdString(text); }

@@ -92,7 +92,7 @@ TEST(ErrorFigure, StaysContinuousAndNamesTheLargestError) {
   const QList<double>& y = kept.spec.series[0].y;
   EXPECT_NEAR(y[0], -93.69, 1e-9);
   EXPECT_NEAR(y[19], 137.46 - 213.75, 1e-9);
-  EXPECT_TRUE(kept.spec.note.startsWith("Largest error -98")) << kept.spec.note.toStdString();
+  EXPECT_TRUE(kept.spec.note.startsWith(QStringLiteral("Largest error −98"))) << kept.spec.note.toStdString();
   const RowFigure removed =
       errorFigure(exampleSweep(), angle::SensorDirection::Increasing, ErrorAxis::Sensor, ConstantPart::Removed);
   EXPECT_EQ(removed.spec.series[0].x[0], 266.31);
