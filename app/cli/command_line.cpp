@@ -6,6 +6,7 @@
 #include "app/cli/command.h"
 #include "app/cli/compare_command.h"
 #include "app/cli/export_command.h"
+#include "app/cli/field_commands.h"
 #include "app/cli/fit_command.h"
 #include "app/cli/messages.h"
 #include "app/cli/verify_command.h"
@@ -54,6 +55,7 @@ void addCommands(CLI::App& program, Work& work) {
   addApplyCommand(*angle, work);
   addVerifyCommand(*angle, work);
   addBatchCommand(*angle, work);
+  addFieldCommands(program, work);
   addExportCommand(program, work);
   addCaptureCommand(program, [&work](std::function<Result<void>()> capture) {
     work = [capture = std::move(capture)]() -> Result<int> {
