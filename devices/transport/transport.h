@@ -46,6 +46,9 @@ public:
 
   virtual TransportResult<void> write(std::string_view bytes, Milliseconds deadline) = 0;
 
+  /// True where the device marks the end of each message (USBTMC); false on a line of bytes.
+  virtual bool hasMessages() const { return false; }
+
   /// A whole message where the transport has messages (USBTMC); otherwise what is there, at least one byte.
   virtual TransportResult<std::string> read(Milliseconds deadline) = 0;
 

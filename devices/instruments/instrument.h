@@ -1,0 +1,60 @@
+// An instrument behind a transport: which roles of a bench it can fill, and what its owner may ask of it beside readings.
+#pragma once
+
+#include "core/base/error.h"
+#include "devices/instruments/angle_instruments.h"
+#include "devices/transport/transport.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace straightedge::devices {
+
+class FieldProbe;      // devices/instruments/field_instruments.h
+class FieldReference;  // devices/instruments/field_instruments.h
+class ResistanceMeter; // devices/instruments/field_instruments.h
+
+/// Readings that came since the last look, in order of time.
+struct ReadingBlock {
+  std::vector<TimedReading> readings;
+  std::int64_t lost = 0;     ///< readings the instrument itself says it dropped
+  std::int64_t rejected = 0; ///< lines that came and were no reading: garbage, not a number, out of limits
+};
+
+/// An instrument that sends readings by itself. Thread: the capture thread only.
+class ReadingStream {
+public:
+  virtual ~ReadingStream() = default;
+  virtual Result<void> start() = 0;
+  virtual Result<ReadingBlock> read() = 0; ///< everything since start or the last read; does not wait for more
+  virtual Result<void> stop() = 0;
+};
+
+/// One instrument on one transport. Thread: the one that uses its transport. Nothing is ever made up: a reading that did
+/// not come, came damaged, out of range or not locked is an error or a field that says so.
+class Instrument {
+public:
+  virtual ~Instrument() = default;
+
+  /// Asks who it is and sets it up; to be called before the first reading and again after the transport came back.
+  /// Errors (Instrument): no answer, another instrument than expected, a setting refused.
+  virtual Result<void> prepare() = 0;
+
+  /// What prepare() learnt; empty fields where the instrument does not say.
+  virtual InstrumentIdentity identity() const = 0;
+
+  /// Fault of the transport behind the last error; none where the instrument answered, and its answer was the problem.
+  virtual std::optional<TransportFault> lastFault() const = 0;
+
+  /// The roles it can fill; null for the others. They live as long as the instrument and know its transport.
+  virtual AngleSensor* angleSensor() { return nullptr; }
+  virtual AngleReference* angleReference() { return nullptr; }
+  virtual ReadingStream* angleReadings() { return nullptr; } ///< degrees; the same instrument as sensor or reference
+  virtual FieldProbe* fieldProbe() { return nullptr; }
+  virtual FieldReference* fieldReference() { return nullptr; }
+  virtual ResistanceMeter* resistanceMeter() { return nullptr; }
+  virtual Thermometer* thermometer() { return nullptr; }
+};
+
+} // namespace straightedge::devices
