@@ -1,4 +1,5 @@
-// An instrument behind a transport: which roles of a bench it can fill, and what its owner may ask of it beside readings.
+// An instrument behind a transport: which roles of a bench it can fill, and what its owner may ask of it beside
+// readings.
 #pragma once
 
 #include "core/base/error.h"
@@ -31,8 +32,8 @@ public:
   virtual Result<void> stop() = 0;
 };
 
-/// One instrument on one transport. Thread: the one that uses its transport. Nothing is ever made up: a reading that did
-/// not come, came damaged, out of range or not locked is an error or a field that says so.
+/// One instrument on one transport. Thread: the one that uses its transport. Nothing is ever made up: a reading that
+/// did not come, came damaged, out of range or not locked is an error or a field that says so.
 class Instrument {
 public:
   virtual ~Instrument() = default;

@@ -16,4 +16,9 @@ straightedge_add_test(NAME devices_kill
   LABELS devices)
 add_dependencies(devices_kill kill_child)
 
+straightedge_add_test(NAME devices_serial
+  SOURCES devices/transport/serial_port_test.cpp
+  LIBRARIES straightedge::devices
+  LABELS devices)
+
 include(app/cli/capture.cmake)

@@ -94,6 +94,9 @@ std::optional<std::string> thirdPartyRule(std::string_view path, std::string_vie
   if (name.starts_with("libusb") && !path.starts_with("devices/usb/")) {
     return "only devices/usb may include libusb";
   }
+  if (name == "libserialport.h" && !path.starts_with("devices/transport/")) {
+    return "only devices/transport may include libserialport";
+  }
   if (name == "sqlite3.h" && !path.starts_with("core/session/")) {
     return "only core/session may know SQLite";
   }

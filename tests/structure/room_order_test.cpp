@@ -58,6 +58,7 @@ TEST(RoomOrder, WrongIncludesAreFound) {
            Case{"app/gui/plots/a.cpp", "#include \"core/angle/curve.h\""},
            Case{"core/angle/a.cpp", "#include <sqlite3.h>"},
            Case{"devices/instruments/a.cpp", "#include <libusb-1.0/libusb.h>"},
+           Case{"devices/instruments/a.cpp", "#include <libserialport.h>"},
            Case{"core/angle/a.cpp", "#include \"curve.h\""},
            Case{"core/elsewhere/a.cpp", "#include <vector>"},
        }) {
