@@ -1,0 +1,5 @@
+# the chain applied
+straightedge_add_test(NAME core_field_chain
+  SOURCES core/field/chain_test.cpp core/field/sample_chain.cpp
+  LIBRARIES straightedge::core
+  LABELS core)
