@@ -17,7 +17,7 @@ straightedge_add_test(NAME devices_kill
 add_dependencies(devices_kill kill_child)
 
 straightedge_add_test(NAME devices_serial
-  SOURCES devices/transport/serial_port_test.cpp
+  SOURCES devices/transport/dialogue_test.cpp devices/transport/serial_port_test.cpp
   LIBRARIES straightedge::devices
   LABELS devices)
 
