@@ -1,5 +1,6 @@
 #include "app/cli/apply_command.h"
 
+#include "app/cli/angle_correction.h"
 #include "app/cli/apply_stream.h"
 #include "app/cli/options.h"
 #include "core/export/calibration_json.h"
@@ -29,7 +30,7 @@ Result<int> apply(const ApplyOptions& options) {
   if (!model) {
     return std::unexpected(model.error());
   }
-  const auto report = applyToReadings(options.readings, options.out, **model, calibration->direction,
+  const auto report = applyToReadings(options.readings, options.out, angleCorrection(**model, calibration->direction),
                                       std::thread::hardware_concurrency());
   if (!report) {
     return std::unexpected(report.error());

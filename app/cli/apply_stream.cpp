@@ -1,6 +1,5 @@
 #include "app/cli/apply_stream.h"
 
-#include "app/cli/row_correction.h"
 #include "core/base/csv_text.h"
 #include "core/base/file_bytes.h"
 #include "core/base/file_output.h"
@@ -30,7 +29,7 @@ struct Slot {
 /// Threads that correct slots. The slots belong to the calling thread; between give() and waitFor() to a worker.
 class CorrectionPool {
 public:
-  CorrectionPool(const RowCorrection& correction, unsigned threads) : m_correction(correction) {
+  CorrectionPool(const BlockCorrection& correction, unsigned threads) : m_correction(correction) {
     for (unsigned i = 0; i < std::max(1U, threads); ++i) {
       m_threads.emplace_back([this](const std::stop_token& stop) { work(stop); });
     }
@@ -68,7 +67,7 @@ private:
         slot = m_waiting.front();
         m_waiting.pop_front();
       }
-      correctRows(m_correction, slot->input, slot->first, slot->output);
+      m_correction.correct(slot->input, slot->first, slot->output);
       {
         const std::scoped_lock lock(m_mutex);
         slot->done = true;
@@ -77,7 +76,7 @@ private:
     }
   }
 
-  const RowCorrection& m_correction;
+  const BlockCorrection& m_correction;
   std::mutex m_mutex;
   std::condition_variable_any m_given;
   std::condition_variable m_finished; ///< only the calling thread waits on it
@@ -91,7 +90,7 @@ public:
   Stream(LineBlocks blocks, PendingFile output, std::string name)
       : m_blocks(std::move(blocks)), m_output(std::move(output)), m_name(std::move(name)) {}
 
-  Result<void> run(std::string start, const RowCorrection& correction, unsigned threads);
+  Result<void> run(std::string start, const BlockCorrection& correction, unsigned threads);
   Result<void> commit() { return m_output.commit(); }
   const ApplyReport& report() const { return m_report; }
 
@@ -124,7 +123,7 @@ Result<void> Stream::writeOldest(CorrectionPool& pool) {
   return m_output.write(slot.output.text());
 }
 
-Result<void> Stream::run(std::string start, const RowCorrection& correction, unsigned threads) {
+Result<void> Stream::run(std::string start, const BlockCorrection& correction, unsigned threads) {
   m_slots.resize(2 * std::size_t{threads} + 2);
   m_slots.front().input = std::move(start);
   m_slots.front().first = true;
@@ -163,8 +162,8 @@ Result<void> Stream::run(std::string start, const RowCorrection& correction, uns
 
 } // namespace
 
-Result<ApplyReport> applyToReadings(const std::string& input, const std::string& output, const angle::Model& model,
-                                    angle::SensorDirection direction, unsigned threads) {
+Result<ApplyReport> applyToReadings(const std::string& input, const std::string& output, const MakeCorrection& make,
+                                    unsigned threads) {
   auto file = InputFile::open(input);
   if (!file) {
     return std::unexpected(std::move(file.error()));
@@ -182,17 +181,16 @@ Result<ApplyReport> applyToReadings(const std::string& input, const std::string&
   if (start.find('\n') == std::string::npos && start.find('\r') != std::string::npos) {
     return fail(ErrorKind::Input, "the lines end with CR alone", "save the file with LF or CRLF", name);
   }
-  const auto layout = findReadingLayout(start, name);
-  if (!layout) {
-    return std::unexpected(layout.error());
+  const auto correction = make(start, name);
+  if (!correction) {
+    return std::unexpected(correction.error());
   }
   auto pending = PendingFile::create(output);
   if (!pending) {
     return std::unexpected(std::move(pending.error()));
   }
-  const RowCorrection correction{*layout, model, direction};
   Stream stream(std::move(blocks), std::move(*pending), name);
-  if (auto done = stream.run(std::move(start), correction, std::max(1U, threads)); !done) {
+  if (auto done = stream.run(std::move(start), **correction, std::max(1U, threads)); !done) {
     return std::unexpected(std::move(done.error()));
   }
   if (auto done = stream.commit(); !done) {

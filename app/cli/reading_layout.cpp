@@ -3,7 +3,6 @@
 #include "core/angle/sweep_columns.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace straightedge::cli {
 
@@ -32,23 +31,36 @@ bool isColumnOfNumbers(const CsvTable& table, std::size_t column) {
 
 } // namespace
 
-Result<ReadingLayout> findReadingLayout(std::string_view start, const std::string& name) {
-  const auto table = CsvTable::parse(std::string(firstLines(start, rowsLookedAt)), name);
+Result<CsvTable> firstReadings(std::string_view start, const std::string& name) {
+  return CsvTable::parse(std::string(firstLines(start, rowsLookedAt)), name);
+}
+
+ReadingLayout layoutOf(const CsvTable& table) { return {table.layout(), table.columns(), {}}; }
+
+Result<void> refuseColumn(const CsvTable& table, std::string_view title) {
+  for (std::size_t column = 0; column < table.columns(); ++column) {
+    if (table.title(column) == title) {
+      return fail(ErrorKind::Input, "there is a column " + std::string(title) + " already",
+                  "rename it or apply to the raw readings", table.name());
+    }
+  }
+  return {};
+}
+
+Result<ReadingLayout> findAngleReadings(std::string_view start, const std::string& name) {
+  const auto table = firstReadings(start, name);
   if (!table) {
     return std::unexpected(table.error());
   }
-  ReadingLayout layout;
-  layout.csv = table->layout();
-  layout.columns = table->columns();
+  if (auto free = refuseColumn(*table, "corrected_deg"); !free) {
+    return std::unexpected(std::move(free.error()));
+  }
+  ReadingLayout layout = layoutOf(*table);
   std::vector<std::size_t> named;
   std::vector<std::size_t> recognised;
   std::vector<std::size_t> numeric;
   const angle::SweepMapping mapping = angle::guessMapping(*table);
   for (std::size_t column = 0; column < table->columns(); ++column) {
-    if (table->title(column) == "corrected_deg") {
-      return fail(ErrorKind::Input, "there is a column corrected_deg already", "rename it or apply to the raw readings",
-                  name);
-    }
     if (table->title(column) == "sensor_deg") {
       named.push_back(column);
     }
@@ -61,7 +73,7 @@ Result<ReadingLayout> findReadingLayout(std::string_view start, const std::strin
   }
   for (const auto& candidates : {named, recognised, table->columns() == 1 ? std::vector<std::size_t>{0} : numeric}) {
     if (candidates.size() == 1) {
-      layout.sensorColumn = candidates.front();
+      layout.wanted.push_back({candidates.front(), 0, "sensor angle"});
       return layout;
     }
   }

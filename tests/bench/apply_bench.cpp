@@ -1,6 +1,7 @@
 // How fast `angle apply` is: megabytes of CSV a second, rows of about 20 bytes, file to file in the page cache. As a
 // ratio: against copying the same bytes through the same blocks without looking at them. The column CPU counts all
 // threads, so that a busy machine can be told from slow code.
+#include "app/cli/angle_correction.h"
 #include "app/cli/apply_stream.h"
 #include "core/base/file_output.h"
 #include "core/base/input_file.h"
@@ -52,8 +53,9 @@ void apply(benchmark::State& state) {
   state.SetLabel(model.name.text());
   input();
   for ([[maybe_unused]] auto _ : state) {
-    const auto report = cli::applyToReadings(input().folder.file("r.csv"), input().folder.file("out.csv"), model,
-                                             calibration.direction, static_cast<unsigned>(state.range(1)));
+    const auto report =
+        cli::applyToReadings(input().folder.file("r.csv"), input().folder.file("out.csv"),
+                             cli::angleCorrection(model, calibration.direction), static_cast<unsigned>(state.range(1)));
     if (!report) {
       state.SkipWithError(report.error().message().c_str());
     }

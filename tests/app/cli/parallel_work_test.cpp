@@ -1,4 +1,5 @@
 // The two places where the command line works in several threads, in this process so that TSan sees them.
+#include "app/cli/angle_correction.h"
 #include "app/cli/apply_stream.h"
 #include "app/cli/batch_run.h"
 #include "tests/core/base/temporary_folder.h"
@@ -29,8 +30,8 @@ TEST(ParallelWork, ApplyKeepsOrderWithAnyNumberOfThreads) {
   }
   folder.write("r.csv", readings);
   for (const unsigned threads : {1U, 3U, 8U}) {
-    const auto report = applyToReadings(folder.file("r.csv"), folder.file("out.csv"), shiftByHalf(),
-                                        angle::SensorDirection::Increasing, threads);
+    const auto report = applyToReadings(folder.file("r.csv"), folder.file("out.csv"),
+                                        angleCorrection(shiftByHalf(), angle::SensorDirection::Increasing), threads);
     ASSERT_TRUE(report) << report.error().message();
     EXPECT_EQ(report->rows, static_cast<std::size_t>(rows));
     EXPECT_EQ(report->bytesRead, readings.size());
@@ -45,8 +46,8 @@ TEST(ParallelWork, ABadRowEndsEveryThread) {
     readings += i == 70'000 || i == 90'000 ? "x\n" : "1\n";
   }
   folder.write("r.csv", readings);
-  const auto report = applyToReadings(folder.file("r.csv"), folder.file("out.csv"), shiftByHalf(),
-                                      angle::SensorDirection::Increasing, 4);
+  const auto report = applyToReadings(folder.file("r.csv"), folder.file("out.csv"),
+                                      angleCorrection(shiftByHalf(), angle::SensorDirection::Increasing), 4);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().where, folder.file("r.csv") + ":70002") << "the first one, whichever thread was quicker";
   EXPECT_EQ(folder.listing(), "r.csv");
