@@ -69,7 +69,9 @@ bool LineWalk::next(ReadingLine& line) {
   const std::size_t whole =
       hit == nullptr ? m_rest.size() : static_cast<std::size_t>(static_cast<const char*>(hit) - m_rest.data()) + 1;
   std::size_t length = hit == nullptr ? whole : whole - 1;
-  length -= length > 0 && m_rest[length - 1] == '\r' ? 1 : 0;
+  if (length > 0 && m_rest[length - 1] == '\r') {
+    --length;
+  }
   line.content = m_rest.substr(0, length);
   line.end = m_rest.substr(length, whole - length);
   m_rest.remove_prefix(whole);

@@ -17,6 +17,9 @@ if(STRAIGHTEDGE_BENCHMARKS)
   straightedge_add_bench(NAME bench_apply
     SOURCES bench/apply_bench.cpp bench/readings.cpp
     LIBRARIES straightedge::cli_commands)
+  straightedge_add_bench(NAME bench_field_apply
+    SOURCES bench/field_apply_bench.cpp core/field/sample_chain.cpp
+    LIBRARIES straightedge::cli_commands)
   straightedge_add_bench(NAME bench_batch
     SOURCES bench/batch_bench.cpp bench/readings.cpp
     LIBRARIES straightedge::cli_commands)

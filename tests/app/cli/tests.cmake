@@ -10,3 +10,8 @@ straightedge_add_test(NAME cli_threads
   SOURCES app/cli/parallel_work_test.cpp
   LIBRARIES straightedge::cli_commands
   LABELS cli threads)
+
+straightedge_add_test(NAME cli_field_apply
+  SOURCES app/cli/field_correction_test.cpp core/field/sample_chain.cpp
+  LIBRARIES straightedge::cli_commands
+  LABELS cli)
