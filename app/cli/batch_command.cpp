@@ -126,8 +126,9 @@ void addBatchCommand(CLI::App& parent, Work& work) {
   CLI::App* command =
       parent.add_subcommand("batch", "Fit many sweeps on all cores; writes NAME.json each and summary.csv");
   command
-      ->add_option("DIR|LIST", options->source,
-                   "Folder whose *.csv are fitted, or a file with a path in each line, - for standard input")
+      ->add_option(
+          "DIR|LIST", options->source,
+          "Folder whose *.csv and *.sedge are fitted, or a file with a path in each line, - for standard input")
       ->required();
   addOutputFolderOption(*command, options->out);
   addModelOptions(*command, options->models);

@@ -15,11 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isCsv(const fs::path& path) {
+/// A sweep as CSV, or a session with a captured one.
+bool holdsASweep(const fs::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-  return extension == ".csv";
+  return extension == ".csv" || extension == ".sedge";
 }
 
 Result<std::vector<std::string>> filesOf(const std::string& folder, const std::string& out) {
@@ -30,7 +31,7 @@ Result<std::vector<std::string>> filesOf(const std::string& folder, const std::s
   for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
     const fs::path& path = entry->path();
     const bool ownSummary = intoItself && path.filename() == "summary.csv";
-    if (isCsv(path) && !ownSummary && !entry->is_directory(ignored)) {
+    if (holdsASweep(path) && !ownSummary && !entry->is_directory(ignored)) {
       paths.push_back(path.string());
     }
   }
@@ -39,7 +40,8 @@ Result<std::vector<std::string>> filesOf(const std::string& folder, const std::s
   }
   std::sort(paths.begin(), paths.end());
   if (paths.empty()) {
-    return fail(ErrorKind::Input, "the folder holds no *.csv", "name the folder with the sweeps", folder);
+    return fail(ErrorKind::Input, "the folder holds no *.csv and no *.sedge", "name the folder with the sweeps",
+                folder);
   }
   return paths;
 }

@@ -5,9 +5,9 @@
 #include "app/cli/sweep_input.h"
 #include "core/angle/sweep_csv.h"
 #include "core/angle/verification.h"
-#include "core/base/json_writer.h"
 #include "core/base/number_text.h"
 #include "core/export/calibration_json.h"
+#include "core/export/verification_json.h"
 
 #include <memory>
 
@@ -19,53 +19,6 @@ struct VerifyOptions {
   std::string calibration, sweep, model, limit;
   bool json = false;
 };
-
-const char* verdictWord(angle::Verdict verdict) {
-  switch (verdict) {
-  case angle::Verdict::Pass:
-    return "pass";
-  case angle::Verdict::Fail:
-    return "fail";
-  case angle::Verdict::PassWithinUncertainty:
-    return "pass-within-uncertainty";
-  case angle::Verdict::FailWithinUncertainty:
-    return "fail-within-uncertainty";
-  }
-  return "fail";
-}
-
-std::string asJson(const angle::VerificationReport& report, const angle::AngleCalibration& calibration,
-                   const angle::Sweep& sweep) {
-  JsonWriter json;
-  json.beginObject();
-  json.member("met", report.met);
-  json.member("verdict", verdictWord(report.verdict));
-  json.member("model", report.model);
-  json.member("limit_deg", report.limitDeg);
-  json.member("max_error_deg", report.maxErrorDeg);
-  json.member("rms_error_deg", report.rmsErrorDeg);
-  json.member("max_error_before_deg", report.maxErrorBeforeDeg);
-  json.member("rms_error_before_deg", report.rmsErrorBeforeDeg);
-  json.member("points", report.points);
-  json.key("expanded_uncertainty_deg");
-  if (report.expandedUncertaintyDeg > 0.0) {
-    json.value(report.expandedUncertaintyDeg);
-  } else {
-    json.null();
-  }
-  json.member("decision_rule", report.decisionRule);
-  json.openObject("source", true);
-  json.member("file", sweep.source.file);
-  json.member("sha256", sweep.source.sha256);
-  json.member("points", sweep.source.points);
-  json.endObject();
-  json.openObject("device", true);
-  json.member("serial", calibration.traceability.deviceSerial);
-  json.member("model", calibration.traceability.deviceModel);
-  json.endObject();
-  json.endObject();
-  return json.take();
-}
 
 std::string degrees(double value) { return formatForPeople(value, 4) + "°"; }
 
@@ -103,7 +56,8 @@ Result<int> verifySweep(const VerifyOptions& options) {
   if (!report) {
     return std::unexpected(withPath(report.error(), sweep->source.file, options.sweep));
   }
-  print(options.json ? asJson(*report, *calibration, *sweep) : asText(*report));
+  print(options.json ? exporting::verificationToJson(*report, calibration->traceability, sweep->source)
+                     : asText(*report));
   return report->met ? 0 : 1;
 }
 

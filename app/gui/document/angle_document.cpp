@@ -11,6 +11,8 @@ namespace straightedge::gui {
 
 AngleDocument::AngleDocument(JobRunner& jobs, QObject* parent)
     : QObject(parent), m_impl(std::make_unique<Impl>(*this, jobs)) {
+  connect(&m_impl->recompute, &Recompute::runChanged, this, [this] { m_impl->keepRun(); });
+  connect(&m_impl->recompute, &Recompute::verificationChanged, this, [this] { m_impl->keepVerification(); });
   connect(&m_impl->recompute, &Recompute::runChanged, this, &AngleDocument::runChanged);
   connect(&m_impl->recompute, &Recompute::comparisonChanged, this, &AngleDocument::comparisonChanged);
   connect(&m_impl->recompute, &Recompute::verificationChanged, this, &AngleDocument::verificationChanged);

@@ -35,6 +35,8 @@ struct AngleDocument::Impl {
   AngleChoices choices;
   Traceability traceability;
   devices::AnglePlan plan;
+  std::string keptRun;          ///< calibration.json as the session has it; empty where there is none
+  std::string keptVerification; ///< likewise the fresh sweep's result
 
   void adopt(std::unique_ptr<session::Session> session, const QString& name, std::unique_ptr<QLockFile> lock);
   QStringList load(session::Session& session); ///< returns what could not be read, in sentences
@@ -42,6 +44,8 @@ struct AngleDocument::Impl {
   void updateRecompute();
   void scheduleReview();
   void scheduleVerificationSweep();
+  void keepRun(); ///< into the session, where it differs from what is there
+  void keepVerification();
   bool choicesAreDefault() const;
   SweepState sweepOf(session::Session& session, QStringList& problems) const;
 

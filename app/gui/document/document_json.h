@@ -15,6 +15,8 @@ inline constexpr const char* reviewDocument = "review";
 inline constexpr const char* planDocument = "plan";
 inline constexpr const char* importedSweepDocument = "imported-sweep";
 inline constexpr const char* verificationSweepDocument = "verification-sweep";
+inline constexpr const char* resultDocument = "result"; // as calibration.json
+inline constexpr const char* verificationResultDocument = "verification-result";
 
 std::string choicesToJson(const AngleChoices& choices);
 /// Unknown or malformed parts keep their defaults: an old or newer file still opens. Errors: Input, not JSON at all.

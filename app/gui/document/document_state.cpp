@@ -1,6 +1,8 @@
 #include "app/gui/document/angle_document_state.h"
 #include "app/gui/document/captured_sweep.h"
 #include "app/gui/document/document_json.h"
+#include "core/export/calibration_json.h"
+#include "core/export/verification_json.h"
 
 #include <QFileInfo>
 
@@ -10,6 +12,7 @@ namespace straightedge::gui {
 
 namespace {
 QString sentence(const Error& error) { return QString::fromStdString(error.message()); }
+std::string displayed(const QString& file) { return QFileInfo(file).fileName().toStdString(); }
 } // namespace
 
 void AngleDocument::Impl::reset() {
@@ -19,6 +22,8 @@ void AngleDocument::Impl::reset() {
   choices = {};
   traceability = {};
   plan = {};
+  keptRun.clear();
+  keptVerification.clear();
   file.clear();
   scratchLock.reset();
   recompute.clear();
@@ -84,6 +89,11 @@ QStringList AngleDocument::Impl::load(session::Session& session) {
         }
         calibration.sweep = std::move(reviewed);
       });
+  const auto asItIs = [](const std::string& text) { return Result<std::string>(text); };
+  keptRun.clear();
+  keptVerification.clear();
+  read(resultDocument, asItIs, [&](std::string text) { keptRun = std::move(text); });
+  read(verificationResultDocument, asItIs, [&](std::string text) { keptVerification = std::move(text); });
   bool imported = false;
   read(
       verificationSweepDocument, [](const std::string& text) { return sweepFromJson(text); },
@@ -124,7 +134,7 @@ SweepState AngleDocument::Impl::sweepOf(session::Session& session, QStringList& 
 bool AngleDocument::Impl::choicesAreDefault() const { return choices == AngleChoices{}; }
 
 void AngleDocument::Impl::updateRecompute() {
-  recompute.setInputs({calibration.sweep, verification, choices, traceability});
+  recompute.setInputs({calibration.sweep, verification, choices, traceability, displayed(file)});
 }
 
 void AngleDocument::Impl::scheduleReview() {
@@ -137,6 +147,41 @@ void AngleDocument::Impl::scheduleVerificationSweep() {
   binding.schedule(verificationSweepDocument, [sweep = verification](session::Session& session) {
     return session.setDocument(verificationSweepDocument, sweep->size() == 0 ? "" : sweepToJson(*sweep));
   });
+}
+
+void AngleDocument::Impl::keepRun() {
+  std::string text;
+  if (recompute.run) {
+    angle::AngleCalibration result = recompute.run->result;
+    // Opening a file computes anew what it already says: that is no new result, and no reason to touch the file.
+    if (const auto kept = exporting::calibrationFromJson(keptRun, displayed(file)); kept) {
+      const std::string now = std::exchange(result.created, kept->created);
+      if (exporting::calibrationToJson(result) == keptRun) {
+        return;
+      }
+      result.created = now;
+    }
+    text = exporting::calibrationToJson(result);
+  }
+  if (text == keptRun) {
+    return;
+  }
+  keptRun = text;
+  binding.schedule(resultDocument,
+                   [text](session::Session& session) { return session.setDocument(resultDocument, text); });
+}
+
+void AngleDocument::Impl::keepVerification() {
+  std::string text;
+  if (recompute.verification) {
+    text = exporting::verificationToJson(*recompute.verification, traceability, verification->source);
+  }
+  if (text == keptVerification) {
+    return;
+  }
+  keptVerification = text;
+  binding.schedule(verificationResultDocument,
+                   [text](session::Session& session) { return session.setDocument(verificationResultDocument, text); });
 }
 
 void AngleDocument::Impl::applySweep(const SweepState& state) {

@@ -1,6 +1,8 @@
 #include "app/gui/document/recompute.h"
 
 #include "app/gui/jobs/job_runner.h"
+#include "core/angle/sweep_csv.h"
+#include "core/base/sha256.h"
 
 #include <QDateTime>
 
@@ -23,6 +25,16 @@ std::vector<angle::ModelName> wantedModels(const AngleChoices& choices) {
     models.push_back(choices.selected);
   }
   return models;
+}
+
+/// A captured sweep has no file whose bytes could be hashed: its canonical CSV stands for them, as on the command line.
+void traceSource(SourceRecord& source, const angle::Sweep& sweep, const std::string& fileName) {
+  if (source.sha256.empty()) {
+    source.sha256 = sha256Hex(angle::sweepToCsv(sweep));
+  }
+  if (source.file.empty()) {
+    source.file = fileName;
+  }
 }
 
 bool sameSweep(const std::shared_ptr<const angle::Sweep>& a, const std::shared_ptr<const angle::Sweep>& b) {
@@ -105,12 +117,13 @@ void Recompute::calibrate() {
   angle::CalibrationOptions options{wantedModels(m_inputs.choices), {m_inputs.choices.curveMethod}};
   m_jobs.run<Run>(
       calibrateJob, tr("Fitting"),
-      [sweep = m_inputs.sweep, options = std::move(options),
-       traceability = m_inputs.traceability](const JobControl&) -> Result<Run> {
+      [sweep = m_inputs.sweep, options = std::move(options), traceability = m_inputs.traceability,
+       fileName = m_inputs.fileName](const JobControl&) -> Result<Run> {
         auto result = angle::calibrate(*sweep, options, traceability);
         if (!result) {
           return std::unexpected(std::move(result.error()));
         }
+        traceSource(result->result.source, *sweep, fileName);
         result->result.created = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
         return std::make_shared<const angle::CalibrationRun>(std::move(*result));
       },

@@ -18,6 +18,7 @@ struct RecomputeInputs {
   std::shared_ptr<const angle::Sweep> verificationSweep;
   AngleChoices choices;
   Traceability traceability;
+  std::string fileName; ///< of the session: the source of a captured sweep
 };
 
 /// GUI thread. Changes that come in one turn of the event loop are answered once.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace straightedge::gui {
 namespace {
@@ -14,6 +15,8 @@ namespace {
 double unitOf(const PlotGuide& guide, const PlotWindow& window) {
   return (guide.vertical ? window.x : window.y).toUnit(guide.value);
 }
+
+bool isInside(double unit) { return unit >= -1e-9 && unit <= 1.0 + 1e-9; }
 
 QLineF lineOf(const PlotGuide& guide, double unit, const QRectF& plot) {
   if (guide.vertical) {
@@ -24,33 +27,36 @@ QLineF lineOf(const PlotGuide& guide, double unit, const QRectF& plot) {
   return {plot.left(), y, plot.right(), y};
 }
 
-/// Beside the line, inside the plot, clear of labels that are there already.
+/// Beside the line, inside the plot, clear of labels that are there already and of the other guides' lines.
 QRectF labelPlace(const PlotGuide& guide, const QLineF& line, const QSizeF& size, const QRectF& plot,
-                  const QList<QRectF>& taken) {
-  QRectF place(QPointF(), size);
-  if (guide.vertical) {
-    place.moveTopLeft({line.x1() + 4.0, plot.top() + 4.0});
-    if (place.right() > plot.right()) {
-      place.moveRight(line.x1() - 4.0);
-    }
-  } else {
-    place.moveBottomRight({plot.right() - 4.0, line.y1() - 2.0});
-    if (place.top() < plot.top()) {
-      place.moveTop(line.y1() + 2.0);
+                  const QList<QRectF>& taken, const QList<QRectF>& otherLines) {
+  constexpr int rows = 6;
+  std::optional<QRectF> best;
+  int fewestHits = 0;
+  for (int row = 0; row < rows; ++row) {
+    for (const bool firstSide : {true, false}) {
+      QRectF place(QPointF(), size);
+      if (guide.vertical) {
+        place.moveTop(plot.top() + 4.0 + row * (size.height() + 3.0));
+        firstSide ? place.moveLeft(line.x1() + 4.0) : place.moveRight(line.x1() - 4.0);
+      } else {
+        place.moveRight(plot.right() - 4.0 - row * (size.width() + 6.0));
+        firstSide ? place.moveBottom(line.y1() - 2.0) : place.moveTop(line.y1() + 2.0);
+      }
+      if (!plot.contains(place)) {
+        continue;
+      }
+      const auto meets = [&](const QRectF& other) { return other.intersects(place); };
+      // A label over a label cannot be read; one over a line can.
+      const auto hits =
+          static_cast<int>(100 * std::ranges::count_if(taken, meets) + std::ranges::count_if(otherLines, meets));
+      if (!best || hits < fewestHits) {
+        best = place;
+        fewestHits = hits;
+      }
     }
   }
-  for (int turn = 0; turn < 8; ++turn) {
-    const auto hit = std::find_if(taken.begin(), taken.end(), [&](const QRectF& r) { return r.intersects(place); });
-    if (hit == taken.end()) {
-      break;
-    }
-    if (guide.vertical) {
-      place.moveTop(hit->bottom() + 3.0);
-    } else {
-      place.moveRight(hit->left() - 6.0);
-    }
-  }
-  return place;
+  return best.value_or(QRectF(plot.topLeft() + QPointF(4.0, 4.0), size));
 }
 
 } // namespace
@@ -80,7 +86,7 @@ void paintGuides(QPainter& painter, const PlotSpec& spec, const PlotWindow& wind
   for (int i = 0; i < spec.guides.size(); ++i) {
     const PlotGuide& guide = spec.guides[i];
     const double unit = unitOf(guide, window);
-    if (!(unit >= -1e-9 && unit <= 1.0 + 1e-9)) {
+    if (!isInside(unit)) {
       continue;
     }
     const QColor color = PlotColors::series(guide.color, theme);
@@ -102,9 +108,24 @@ void paintGuides(QPainter& painter, const PlotSpec& spec, const PlotWindow& wind
       painter.drawRoundedRect(QRectF(grip - QPointF(0.5 * size.width(), 0.5 * size.height()), size), 3.0, 3.0);
       painter.setBrush(Qt::NoBrush);
     }
+  }
+  for (int i = 0; i < spec.guides.size(); ++i) { // no line runs over a label
+    const PlotGuide& guide = spec.guides[i];
+    const double unit = unitOf(guide, window);
+    if (!isInside(unit)) {
+      continue;
+    }
+    const QLineF line = lineOf(guide, unit, layout.plot);
     const QString text = guideText(guide, window);
     const QSizeF size(metrics.horizontalAdvance(text) + 9.0, metrics.height() + 2.0);
-    const QRectF place = labelPlace(guide, line, size, layout.plot, taken);
+    QList<QRectF> otherLines;
+    for (int j = 0; j < spec.guides.size(); ++j) {
+      if (const double there = unitOf(spec.guides[j], window); j != i && isInside(there)) {
+        const QLineF other = lineOf(spec.guides[j], there, layout.plot);
+        otherLines << QRectF(other.p1(), other.p2()).adjusted(-1.0, -1.0, 1.0, 1.0);
+      }
+    }
+    const QRectF place = labelPlace(guide, line, size, layout.plot, taken, otherLines);
     taken << place;
     QColor paper = colors.background;
     paper.setAlpha(225);
@@ -128,7 +149,7 @@ int guideAt(const PlotSpec& spec, const PlotWindow& window, const PlotLayout& la
   for (int i = 0; i < spec.guides.size(); ++i) {
     const PlotGuide& guide = spec.guides[i];
     const double unit = unitOf(guide, window);
-    if (!guide.draggable || !(unit >= -1e-9 && unit <= 1.0 + 1e-9)) {
+    if (!guide.draggable || !isInside(unit)) {
       continue;
     }
     const QLineF line = lineOf(guide, unit, layout.plot);

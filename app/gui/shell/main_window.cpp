@@ -112,8 +112,12 @@ void MainWindow::connectDocument() {
   connect(&m_document, &AngleDocument::titleChanged, this, &MainWindow::updateTitle);
   connect(&m_document, &AngleDocument::storageFailed, this,
           [this](const QString& message) { m_messages->showMessage(message, MessageBar::Kind::Problem); });
-  connect(&m_bench, &BenchLink::failed, this,
-          [this](const QString& message) { m_messages->showMessage(message, MessageBar::Kind::Problem); });
+  connect(&m_bench, &BenchLink::failed, this, [this](const QString& message) {
+    const StepPage* shown = m_currentStep < 0 ? nullptr : m_stepPages[static_cast<std::size_t>(m_currentStep)];
+    if (shown == nullptr || !shown->tellsBenchFaults()) {
+      m_messages->showMessage(message, MessageBar::Kind::Problem);
+    }
+  });
   connect(&m_bench, &BenchLink::connectionChanged, this, &MainWindow::updateSteps);
   connect(&m_bench, &BenchLink::captureEnded, this, [this] {
     updateSteps();

@@ -78,6 +78,7 @@ CaptureStep::CaptureStep(StepContext context, QWidget* parent)
   connectPresenter();
   showPlan();
   takeSamples(0);
+  showColumns();
   showPhase();
 }
 
@@ -252,6 +253,12 @@ void CaptureStep::showPlan() {
   showPhase();
 }
 
+void CaptureStep::showColumns() {
+  const devices::AnglePlan& plan = m_presenter.shownPlan();
+  m_table->setColumnHidden(CapturePointsModel::Turn, plan.turns == 1);
+  m_table->setColumnHidden(CapturePointsModel::Direction, !plan.bothDirections);
+}
+
 void CaptureStep::showPhase() {
   using Phase = CapturePresenter::Phase;
   const Phase phase = m_presenter.phase();
@@ -287,6 +294,7 @@ void CaptureStep::showNotices() {
 }
 
 void CaptureStep::showProgress() {
+  showColumns();
   const bool begun = m_presenter.canStop() || m_presenter.points().measuredPoints() > 0;
   for (QWidget* each : std::initializer_list<QWidget*>{m_progress, m_progressText, m_samplesText}) {
     each->setVisible(begun);

@@ -23,6 +23,7 @@ public:
   QString title() const override;
   QString helpPage() const override;
   QString missing() const override;
+  bool tellsBenchFaults() const override { return true; }
   void entered() override;
   void left() override;
 
@@ -34,6 +35,7 @@ private:
   void connectPresenter();
   void showPhase();
   void showPlan();
+  void showColumns(); ///< those that tell the plan's points apart
   void showNotices();
   void showProgress();
   void takeSamples(int first);

@@ -259,6 +259,9 @@ void ReviewStep::showAnalysis() {
   if (!m_shown) {
     return; // built when somebody looks
   }
+  for (const auto column : {ReviewTableModel::Turn, ReviewTableModel::Direction}) {
+    m_table->setColumnHidden(column, m_presenter.table().isUniform(column));
+  }
   showFacts();
   showPlot();
   showActions();

@@ -6,7 +6,9 @@
 #include <QGuiApplication>
 #include <QPalette>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace straightedge::gui {
 
@@ -149,6 +151,11 @@ QVariant ReviewTableModel::headerData(int section, Qt::Orientation orientation, 
   default:
     return {};
   }
+}
+
+bool ReviewTableModel::isUniform(Column column) const {
+  const std::vector<int>& values = column == Turn ? m_sweep->turn : m_sweep->direction;
+  return std::ranges::adjacent_find(values, std::ranges::not_equal_to{}) == values.end();
 }
 
 QString ReviewTableModel::asText(const std::vector<std::size_t>& rows) const {

@@ -21,6 +21,8 @@ public:
   /// stays the same.
   void setSweep(const angle::Sweep& sweep);
   void setAnalysis(std::shared_ptr<const ReviewAnalysis> analysis);
+  /// Turn or direction: the same in every row, hence not worth a column.
+  bool isUniform(Column column) const;
   /// Header and rows, tab-separated, with every digit: for the clipboard.
   QString asText(const std::vector<std::size_t>& rows) const;
 

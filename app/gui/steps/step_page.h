@@ -27,6 +27,8 @@ public:
   virtual QString helpPage() const = 0; ///< file stem in resources/help, e.g. "connect"
   /// Empty when the step can do its work; otherwise what is missing and where to get it, as a sentence.
   virtual QString missing() const { return {}; }
+  /// Says itself what failed on the bench, beside what can be done about it: the window need not say it again.
+  virtual bool tellsBenchFaults() const { return false; }
   virtual void entered() {} ///< shown
   virtual void left() {}    ///< another step is shown
 

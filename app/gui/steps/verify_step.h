@@ -25,6 +25,7 @@ public:
   QString title() const override;
   QString helpPage() const override;
   QString missing() const override;
+  bool tellsBenchFaults() const override { return true; }
   void entered() override;
   void left() override;
 

@@ -71,6 +71,17 @@ TEST(BatchCommand, InputsOfTheSameNameKeepApart) {
   EXPECT_THAT(folder.read("out/x-2.json"), HasSubstr("\"file\": \"x-2.csv\""));
 }
 
+TEST(BatchCommand, AFolderOfSessionsIsCalibratedToo) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.file("in"));
+  const auto captured = runCli({"capture", "angle", "--bench", "simulated", "--session", folder.file("in/one.sedge"),
+                                "--points", "32", "--seed", "3"});
+  ASSERT_EQ(captured.code, 0) << captured.err;
+  const auto run = batch({folder.file("in"), "--out", folder.file("out")});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(folder.listing("out"), "one.json summary.csv");
+}
+
 TEST(BatchCommand, AFolderMayBeItsOwnOutput) {
   const TemporaryFolder folder;
   folder.write("x.CSV", sweepText(1));
@@ -81,7 +92,7 @@ TEST(BatchCommand, AFolderMayBeItsOwnOutput) {
 TEST(BatchCommand, SaysWhatIsMissing) {
   const TemporaryFolder folder;
   EXPECT_EQ(batch({folder.path(), "--out", folder.file("out")}).err,
-            "straightedge-cli: " + folder.path() + ": the folder holds no *.csv; name the folder with the sweeps\n");
+            "straightedge-cli: " + folder.path() + ": the folder holds no *.csv and no *.sedge; name the folder with the sweeps\n");
   folder.write("list", "# none\n");
   EXPECT_EQ(batch({folder.file("list"), "--out", folder.file("out")}).err,
             "straightedge-cli: " + folder.file("list") + ": the list names no files; write a path in each line\n");

@@ -1,7 +1,9 @@
 #include "app/gui/document/angle_document.h"
 #include "app/gui/document/scratch_folder.h"
 #include "app/gui/jobs/job_runner.h"
+#include "core/angle/session_sweep.h"
 #include "core/angle/sweep_csv.h"
+#include "core/export/calibration_json.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -36,6 +38,8 @@ private slots:
   void aRefusedSweepSaysWhy();
   void recomputeFollowsChoices();
   void verificationFollowsTheLimit();
+  void resultsAreKeptInTheSession();
+  void aCapturedSweepIsTracedAsOnTheCommandLine();
 
 private:
   angle::Sweep exampleSweep() const;
@@ -252,6 +256,70 @@ void AngleDocumentTest::capturedSamplesBecomeTheSweep() {
   m_document->reloadSweepFromSession();
   QVERIFY(!m_document->sweep().isEnabled(9));
   QVERIFY(m_document->undoStack().canUndo());
+}
+
+void AngleDocumentTest::resultsAreKeptInTheSession() {
+  const QString target = m_home->filePath("a.sedge");
+  QVERIFY(m_document->createScratch());
+  m_document->setSweep(exampleSweep(), "import");
+  m_document->setVerificationSweep(exampleSweep());
+  waitUntilIdle();
+  QVERIFY(m_document->run() && m_document->verification());
+  QVERIFY(m_document->saveAs(target));
+  const auto result = m_document->session()->document("result");
+  const auto verified = m_document->session()->document("verification-result");
+  QVERIFY(result && verified);
+  QCOMPARE(*result, exporting::calibrationToJson(m_document->run()->result));
+  QVERIFY(verified->find("\"max_error_deg\"") != std::string::npos);
+  QVERIFY(m_document->close());
+
+  QVERIFY(m_document->open(target));
+  waitUntilIdle();
+  QVERIFY(m_document->run() != nullptr);
+  QVERIFY(!m_document->hasUnsavedState()); // the same result again is nothing new
+  QCOMPARE(*m_document->session()->document("result"), *result);
+  AngleChoices choices;
+  choices.models = {*angle::parseModelName("lut:100")};
+  m_document->setChoices(choices, "choose");
+  waitUntilIdle();
+  QVERIFY(m_document->close());
+  auto closed = session::Session::openReadOnly(target.toStdString());
+  QVERIFY(closed);
+  QVERIFY((*closed)->document("result")->find("lut:100") != std::string::npos);
+}
+
+void AngleDocumentTest::aCapturedSweepIsTracedAsOnTheCommandLine() {
+  const QString target = m_home->filePath("captured.sedge");
+  QVERIFY(m_document->createScratch());
+  {
+    auto sink = m_document->session()->angleSink(session::SweepRole::Calibration);
+    QVERIFY(sink);
+    std::vector<session::AngleSample> samples(32);
+    for (int i = 0; i < 32; ++i) {
+      auto& sample = samples[static_cast<std::size_t>(i)];
+      sample.sequence = i;
+      sample.point = i;
+      sample.encoderDeg = 11.25 * i;
+      sample.sensorDeg = 11.25 * i;
+    }
+    QVERIFY((*sink)->append(samples));
+    QVERIFY((*sink)->commit());
+  }
+  m_document->reloadSweepFromSession();
+  m_document->setPointsEnabled({3}, false);
+  QVERIFY(m_document->saveAs(target));
+  AngleChoices choices;
+  choices.limitDeg = 0.2;
+  m_document->setChoices(choices, "limit");
+  waitUntilIdle();
+  QVERIFY(m_document->run() != nullptr);
+  const SourceRecord traced = m_document->run()->result.source;
+  QVERIFY(m_document->close());
+  const auto onCommandLine = angle::readSessionSweep(target.toStdString(), session::SweepRole::Calibration);
+  QVERIFY(onCommandLine);
+  QCOMPARE(traced.sha256, onCommandLine->sweep.source.sha256);
+  QCOMPARE(traced.sha256.size(), 64U);
+  QVERIFY(traced.file.ends_with(".sedge"));
 }
 
 void AngleDocumentTest::choicesUndoAndMerge() {
