@@ -21,4 +21,9 @@ straightedge_add_test(NAME devices_serial
   LIBRARIES straightedge::devices
   LABELS devices)
 
+straightedge_add_test(NAME devices_instruments
+  SOURCES devices/instruments/line_parser_test.cpp
+  LIBRARIES straightedge::devices
+  LABELS devices)
+
 include(app/cli/capture.cmake)
