@@ -20,13 +20,13 @@ struct VerifyOptions {
   bool json = false;
 };
 
-std::string degrees(double value) { return formatForPeople(value, 4) + "°"; }
+std::string inDegrees(double value) { return formatForPeople(value, 4) + "°"; }
 
 std::string asText(const angle::VerificationReport& report) {
   return std::string(report.met ? "PASS" : "FAIL") + ": " + report.model + " over " + std::to_string(report.points) +
-         " points: " + degrees(report.maxErrorDeg) + " maximum error, " + degrees(report.rmsErrorDeg) + " rms; limit " +
-         degrees(report.limitDeg) + "\nBefore correction: " + degrees(report.maxErrorBeforeDeg) + " maximum, " +
-         degrees(report.rmsErrorBeforeDeg) + " rms\n" + report.decisionRule + "\n";
+         " points: " + inDegrees(report.maxErrorDeg) + " maximum error, " + inDegrees(report.rmsErrorDeg) +
+         " rms; limit " + inDegrees(report.limitDeg) + "\nBefore correction: " + inDegrees(report.maxErrorBeforeDeg) +
+         " maximum, " + inDegrees(report.rmsErrorBeforeDeg) + " rms\n" + report.decisionRule + "\n";
 }
 
 Result<int> verifySweep(const VerifyOptions& options) {

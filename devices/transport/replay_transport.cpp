@@ -7,14 +7,14 @@ namespace straightedge::devices {
 
 namespace {
 
-std::string quoted(std::string_view bytes) { return "'" + escaped(bytes) + "'"; }
+std::string inQuotes(std::string_view bytes) { return "'" + escaped(bytes) + "'"; }
 
 std::string describe(const DialogueEntry& entry) {
   switch (entry.mark) {
   case DialogueMark::Sent:
-    return quoted(entry.bytes) + " to be sent";
+    return inQuotes(entry.bytes) + " to be sent";
   case DialogueMark::Received:
-    return quoted(entry.bytes) + " to be read";
+    return inQuotes(entry.bytes) + " to be read";
   case DialogueMark::Cleared:
   case DialogueMark::ClearingFailed:
     return "the transport to be cleared";
@@ -62,11 +62,11 @@ std::unexpected<TransportError> ReplayTransport::differs(const std::string& happ
 TransportResult<void> ReplayTransport::write(std::string_view bytes, Milliseconds /*deadline*/) {
   const DialogueEntry* entry = next();
   if (entry == nullptr || entry->mark != DialogueMark::Sent) {
-    return differs(quoted(bytes) + " was sent");
+    return differs(inQuotes(bytes) + " was sent");
   }
   if (entry->bytes != bytes) {
     const auto first = std::ranges::mismatch(entry->bytes, bytes).in1 - entry->bytes.begin();
-    return differs(quoted(bytes) + " was sent, different from byte " + std::to_string(first + 1) + " on");
+    return differs(inQuotes(bytes) + " was sent, different from byte " + std::to_string(first + 1) + " on");
   }
   ++m_next;
   if (auto fault = takeFault(DialogueMark::SendingFailed)) {
@@ -100,7 +100,7 @@ TransportResult<std::string> ReplayTransport::readUntil(std::string_view end, Mi
     }
     const DialogueEntry* entry = next();
     if (entry == nullptr || entry->mark != DialogueMark::Received) {
-      return differs("a reply was read up to " + quoted(end) +
+      return differs("a reply was read up to " + inQuotes(end) +
                      (m_received.empty() ? "" : ", of which " + std::to_string(m_received.size()) + " bytes had come"));
     }
     m_received.append(entry->bytes);

@@ -1,4 +1,5 @@
-// Fits and comparison from a given curve. The whole chain from recorded points is another bench.
+// Fits and comparison from a given curve, and the whole chain from 32 recorded points to the default three models.
+#include "core/angle/calibration.h"
 #include "core/angle/comparison.h"
 #include "core/angle/minimax_linear.h"
 #include "core/angle/sweep_csv.h"
@@ -48,6 +49,16 @@ void fitDefaultModels(benchmark::State& state) {
   }
 }
 BENCHMARK(fitDefaultModels);
+
+/// Recorded points -> curve -> default three models with their errors; tests/bench/numpy_ratio compares it.
+void calibrateFromPoints(benchmark::State& state) {
+  const Sweep sweep = valueOrExit(readSweepCsv(STRAIGHTEDGE_TEST_DATA "/angle/side_shaft_32.csv"));
+  const CalibrationOptions options{defaultModels(), {}};
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(calibrate(sweep, options, {}));
+  }
+}
+BENCHMARK(calibrateFromPoints);
 
 /// Goal: at most 50 ms on one core, so that the plot follows a drag.
 void compareEverySize(benchmark::State& state) {
