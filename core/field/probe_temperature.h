@@ -26,8 +26,8 @@ struct ProbeTemperatureReport {
   /// none.
   std::optional<double> lagS;
   std::string lagText; ///< "no times: lag not estimated", or how it was found
-  /// Standard uncertainty of a temperature read off the line, in °C: scatter of the residuals, and half the loop that
-  /// the line leaves, taken as rectangular.
+  /// Standard uncertainty of a temperature read off the line, in °C: the scatter about it, in which the loop shows as
+  /// far as no lag takes it away.
   double standardUncertaintyC = 0.0;
   // For the plot, row by row
   Eigen::VectorXd ohm, chamberC, lineC; ///< temperatures minus reference temperature

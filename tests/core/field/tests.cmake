@@ -3,3 +3,8 @@ straightedge_add_test(NAME core_field_chain
   SOURCES core/field/chain_test.cpp core/field/sample_chain.cpp
   LIBRARIES straightedge::core
   LABELS core)
+
+straightedge_add_test(NAME core_field_blocks
+  SOURCES core/field/block_figures_test.cpp
+  LIBRARIES straightedge::core
+  LABELS core)
