@@ -82,7 +82,6 @@ TEST_F(FieldBlocksInOrder, Pt100LineAndItsHysteresis) {
   EXPECT_FALSE(report->lagS);
   ASSERT_TRUE(report->hysteresisC);
   EXPECT_GT(*report->hysteresisC, 0.0);
-            << "\n";
 }
 
 TEST_F(FieldBlocksInOrder, OffsetSlopes) {
