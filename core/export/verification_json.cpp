@@ -22,35 +22,35 @@ const char* verdictWord(angle::Verdict verdict) {
 
 std::string verificationToJson(const angle::VerificationReport& report, const Traceability& traceability,
                                const SourceRecord& source) {
-  JsonWriter json;
-  json.beginObject();
-  json.member("met", report.met);
-  json.member("verdict", verdictWord(report.verdict));
-  json.member("model", report.model);
-  json.member("limit_deg", report.limitDeg);
-  json.member("max_error_deg", report.maxErrorDeg);
-  json.member("rms_error_deg", report.rmsErrorDeg);
-  json.member("max_error_before_deg", report.maxErrorBeforeDeg);
-  json.member("rms_error_before_deg", report.rmsErrorBeforeDeg);
-  json.member("points", report.points);
-  json.key("expanded_uncertainty_deg");
+  JsonWriter writer;
+  writer.beginObject();
+  writer.member("met", report.met);
+  writer.member("verdict", verdictWord(report.verdict));
+  writer.member("model", report.model);
+  writer.member("limit_deg", report.limitDeg);
+  writer.member("max_error_deg", report.maxErrorDeg);
+  writer.member("rms_error_deg", report.rmsErrorDeg);
+  writer.member("max_error_before_deg", report.maxErrorBeforeDeg);
+  writer.member("rms_error_before_deg", report.rmsErrorBeforeDeg);
+  writer.member("points", report.points);
+  writer.key("expanded_uncertainty_deg");
   if (report.expandedUncertaintyDeg > 0.0) {
-    json.value(report.expandedUncertaintyDeg);
+    writer.value(report.expandedUncertaintyDeg);
   } else {
-    json.null();
+    writer.null();
   }
-  json.member("decision_rule", report.decisionRule);
-  json.openObject("source", true);
-  json.member("file", source.file);
-  json.member("sha256", source.sha256);
-  json.member("points", source.points);
-  json.endObject();
-  json.openObject("device", true);
-  json.member("serial", traceability.deviceSerial);
-  json.member("model", traceability.deviceModel);
-  json.endObject();
-  json.endObject();
-  return json.take();
+  writer.member("decision_rule", report.decisionRule);
+  writer.openObject("source", true);
+  writer.member("file", source.file);
+  writer.member("sha256", source.sha256);
+  writer.member("points", source.points);
+  writer.endObject();
+  writer.openObject("device", true);
+  writer.member("serial", traceability.deviceSerial);
+  writer.member("model", traceability.deviceModel);
+  writer.endObject();
+  writer.endObject();
+  return writer.take();
 }
 
 } // namespace straightedge::exporting
