@@ -3,9 +3,10 @@
 #include "devices/usb/libusb_raii.h"
 
 #include <algorithm>
-#include <atomic>
+#include <set>
 #include <stop_token>
 #include <thread>
+#include <utility>
 
 namespace straightedge::devices {
 
@@ -25,8 +26,22 @@ std::vector<UsbDevice> onlyIn(const std::vector<UsbDevice>& all, const std::vect
   return rest;
 }
 
-int onEvent(libusb_context* /*context*/, libusb_device* /*device*/, libusb_hotplug_event /*event*/, void* seen) {
-  *static_cast<int*>(seen) = 1;
+/// What libusb's callback noted since the last look.
+struct Events {
+  int any = 0;
+  /// Left, but perhaps still listed: the kernel tells before it takes the device out of /sys.
+  std::set<std::pair<std::uint8_t, std::uint8_t>> left; // bus, address
+};
+
+int onEvent(libusb_context* /*context*/, libusb_device* device, libusb_hotplug_event event, void* user) {
+  auto& events = *static_cast<Events*>(user);
+  const auto place = std::pair(libusb_get_bus_number(device), libusb_get_device_address(device));
+  events.any = 1;
+  if (event == LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT) {
+    events.left.insert(place);
+  } else {
+    events.left.erase(place);
+  }
   return 0; // keep the callback
 }
 
@@ -37,21 +52,19 @@ struct UsbHotplug::Impl {
   std::chrono::milliseconds interval;
   LibusbPtr<libusb_context> context;
   std::vector<UsbDevice> known;
+  Events events;
   std::jthread thread; // last: ends before what it uses
 
   void run(const std::stop_token& stop) {
-    bool first = true;
-    int event = 0;
     if (context) {
       // Without events (no udev) this registers all the same, and only the interval finds changes.
       static_cast<void>(libusb_hotplug_register_callback(
           context.get(), LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT, 0,
-          LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY, onEvent, &event, nullptr));
+          LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY, onEvent, &events, nullptr));
     }
-    while (!stop.stop_requested()) {
+    for (bool first = true; !stop.stop_requested(); first = false) {
       look(first);
-      first = false;
-      waitForEvent(stop, event);
+      waitForEvent(stop);
     }
   }
 
@@ -60,6 +73,16 @@ struct UsbHotplug::Impl {
     if (!now) {
       return; // the next look may succeed; nothing is said to have left on the strength of an error
     }
+    std::set<std::pair<std::uint8_t, std::uint8_t>> stillListed;
+    std::erase_if(*now, [&](const UsbDevice& device) {
+      const auto place = std::pair(device.bus, device.address);
+      if (!events.left.contains(place)) {
+        return false;
+      }
+      stillListed.insert(place);
+      return true;
+    });
+    events.left = std::move(stillListed);
     Change change{.arrived = onlyIn(*now, known), .left = onlyIn(known, *now)};
     known = std::move(*now);
     if (first || !change.arrived.empty() || !change.left.empty()) {
@@ -67,19 +90,19 @@ struct UsbHotplug::Impl {
     }
   }
 
-  void waitForEvent(const std::stop_token& stop, int& event) const {
+  void waitForEvent(const std::stop_token& stop) {
     const auto end = std::chrono::steady_clock::now() + interval;
-    while (event == 0 && !stop.stop_requested()) {
+    while (events.any == 0 && !stop.stop_requested()) {
       const auto left = std::chrono::duration_cast<std::chrono::microseconds>(end - std::chrono::steady_clock::now());
       if (left.count() <= 0) {
-        return;
+        break;
       }
       timeval wait{.tv_sec = left.count() / 1'000'000, .tv_usec = left.count() % 1'000'000};
-      if (!context || libusb_handle_events_timeout_completed(context.get(), &wait, &event) != LIBUSB_SUCCESS) {
+      if (!context || libusb_handle_events_timeout_completed(context.get(), &wait, &events.any) != LIBUSB_SUCCESS) {
         std::this_thread::sleep_for(std::min(left, std::chrono::microseconds(100'000)));
       }
     }
-    event = 0;
+    events.any = 0;
   }
 };
 

@@ -1,0 +1,6 @@
+include(fakes/usb/fakes.cmake)
+
+straightedge_add_usb_test(NAME devices_usb
+  SOURCES devices/usb/usb_bus_test.cpp
+  LIBRARIES straightedge::devices
+  LABELS devices)

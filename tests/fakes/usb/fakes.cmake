@@ -1,0 +1,38 @@
+# Emulated USB devices under the real libusb, and tests that run with umockdev's preload.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(UMOCKDEV IMPORTED_TARGET umockdev-1.0>=0.17)
+if(NOT TARGET PkgConfig::UMOCKDEV)
+  message(FATAL_ERROR "umockdev is missing: run installer/install-dependencies test (package libumockdev-dev), or configure with -DSTRAIGHTEDGE_TESTS=OFF")
+endif()
+
+add_library(emulated_usb STATIC
+  fakes/usb/byte_stream_devices.cpp
+  fakes/usb/emulated_device.cpp
+  fakes/usb/emulated_usb.cpp
+  fakes/usb/host_controller.cpp
+  fakes/usb/usbtmc_device.cpp
+  fakes/usb/usbtmc_device_control.cpp
+)
+target_link_libraries(emulated_usb PUBLIC straightedge::build_flags PkgConfig::UMOCKDEV)
+target_compile_options(emulated_usb PRIVATE ${STRAIGHTEDGE_TEST_OPTIONS})
+
+# The sanitizer's library has to come before umockdev's in the list.
+set(STRAIGHTEDGE_USB_PRELOAD libumockdev-preload.so.0)
+if(STRAIGHTEDGE_SANITIZE MATCHES "address")
+  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libasan.so
+    OUTPUT_VARIABLE STRAIGHTEDGE_LIBASAN OUTPUT_STRIP_TRAILING_WHITESPACE)
+  set(STRAIGHTEDGE_USB_PRELOAD "${STRAIGHTEDGE_LIBASAN}:libumockdev-preload.so.0")
+endif()
+
+# straightedge_add_usb_test(NAME … SOURCES … LIBRARIES … LABELS …): as straightedge_add_test(), with the emulated bus.
+function(straightedge_add_usb_test)
+  cmake_parse_arguments(ARG "" "NAME" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  add_executable(${ARG_NAME} ${ARG_SOURCES})
+  target_link_libraries(${ARG_NAME} PRIVATE straightedge::build_flags emulated_usb GTest::gmock GTest::gtest_main ${ARG_LIBRARIES})
+  target_compile_options(${ARG_NAME} PRIVATE ${STRAIGHTEDGE_TEST_OPTIONS})
+  target_compile_definitions(${ARG_NAME} PRIVATE
+    STRAIGHTEDGE_TEST_DATA="${CMAKE_CURRENT_SOURCE_DIR}/data"
+    STRAIGHTEDGE_BINARY_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+  gtest_discover_tests(${ARG_NAME} TEST_PREFIX "${ARG_NAME}." DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 300 ENVIRONMENT "LD_PRELOAD=${STRAIGHTEDGE_USB_PRELOAD}")
+endfunction()
