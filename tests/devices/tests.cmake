@@ -1,5 +1,6 @@
 straightedge_add_test(NAME devices_simulated
-  SOURCES devices/angle_plan_test.cpp devices/closed_loop_test.cpp devices/simulated_bench_test.cpp
+  SOURCES devices/angle_plan_test.cpp devices/closed_loop_test.cpp devices/hall_probe_test.cpp
+    devices/simulated_bench_test.cpp
   LIBRARIES straightedge::devices
   LABELS devices)
 

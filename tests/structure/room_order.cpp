@@ -26,7 +26,7 @@ const std::vector<Room>& rooms() {
       {"devices/usb", {"core/base"}},
       {"devices/transport", {"core/base", "devices/usb"}},
       {"devices/instruments", {"core/base", "devices/transport"}},
-      {"devices/simulated", {"core/base", "core/numerics", "devices/instruments"}},
+      {"devices/simulated", {"core/base", "core/numerics", "core/field", "devices/instruments"}},
       {"devices/capture", {"core/base", "core/session", "devices/instruments", "devices/simulated"}},
       {"app/cli", {"core/", "devices/"}},
       {"app/gui/plots", {"core/base"}},
