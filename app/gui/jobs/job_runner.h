@@ -8,7 +8,6 @@
 #include <QObject>
 #include <QString>
 
-#include <cstdint>
 #include <exception>
 #include <functional>
 #include <memory>
@@ -58,8 +57,7 @@ private:
   void start(const QString& key, const QString& title, std::function<void(const JobControl&)> work,
              std::function<void()> deliver);
   bool cancelQuietly(const QString& key); ///< without idle(); true where such a job ran
-  void showProgress(const QString& key, std::uint64_t id, double fraction);
-  void finish(const QString& key, std::uint64_t id, const std::function<void()>& deliver);
+  void takeEvents();
   struct Impl;
   std::unique_ptr<Impl> m_impl;
 };
