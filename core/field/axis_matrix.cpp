@@ -6,7 +6,7 @@
 #include "core/field/residuals.h"
 #include "core/field/span_checks.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 

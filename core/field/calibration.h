@@ -7,6 +7,8 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +48,102 @@ struct CorrectionChain {
   std::optional<Pt100Line> pt100;
   std::array<AxisChain, 3> axes;             ///< x, y, z
   std::optional<Eigen::Matrix3d> axisMatrix; ///< S: rows are probe axes, columns package axes
+};
+
+enum class FitMethod : std::uint8_t {
+  Stepwise, ///< block after block, each on what the ones before leave (the paper's way)
+  Joint,    ///< all blocks refined together
+};
+
+/// The blocks of the chain in its order.
+enum class Block : std::uint8_t {
+  Nonlinearity,
+  ProbeTemperature,
+  Offset,
+  Sensitivity,
+  Electronics,
+  ElectronicsSensitivity,
+  AxisMatrix,
+};
+
+/// How one block was made, for certificates and the stage table.
+struct BlockSummary {
+  Block block = Block::Nonlinearity;
+  std::optional<Axis> axis; ///< of a block per axis
+  std::string how;
+  std::size_t rowsUsed = 0;
+  std::size_t rowsLeftOut = 0;
+  std::size_t coefficients = 0;
+  double residualSigma = 0.0; ///< in the block's unit: tesla, °C for the probe's temperature
+  double residualLargest = 0.0;
+};
+
+/// A block that is off, or less than it could be: why, and what that costs.
+struct FieldWarning {
+  Block block = Block::Nonlinearity;
+  std::string text; ///< whole sentences
+};
+
+/// One order of an axis's nonlinearity. Percent of full scale.
+struct OrderError {
+  Axis axis = Axis::X;
+  int order = 0;
+  double maxErrorPercent = 0.0;
+  std::optional<double> crossMaxPercent, crossRmsPercent; ///< plateaus foretold by fits to the others
+};
+
+/// instrument − reference over the rows of one axis, percent.
+struct ErrorFigures {
+  double mean = 0.0;
+  double sigma = 0.0; ///< √(Σ(error − mean)²/n)
+  double peak = 0.0;  ///< magnitude
+};
+
+/// How far the chain has been applied. Calibrated is the axis's own chain, V5; AxisMatrix the field along the axis
+/// after the matrix, B.
+enum class VerifiedState : std::uint8_t {
+  Uncalibrated,
+  Nonlinearity,
+  Offset,
+  Sensitivity,
+  Electronics,
+  ElectronicsSensitivity,
+  Calibrated,
+  AxisMatrix,
+};
+
+struct VerificationRow {
+  Axis axis = Axis::X;
+  VerifiedState state = VerifiedState::Uncalibrated;
+  ErrorFigures ofFullScale;
+  std::optional<ErrorFigures> ofReading; ///< over readings in at least 5 % of full scale; nothing without any
+  std::size_t points = 0;                ///< 0 where not known (read from a file of others)
+};
+
+/// What is known of the PT100's line beside the line.
+struct ProbeQuality {
+  double standardUncertaintyC = 0.0;
+  std::optional<double> hysteresisC;
+  std::optional<double> lagS;
+  std::string lagText;
+};
+
+/// What calibration.json holds of a field calibration.
+struct FieldCalibration {
+  std::string created;  ///< ISO 8601 UTC
+  std::string software; ///< "straightedge X.Y.Z"
+  SourceRecord source;
+  Traceability traceability;
+  CorrectionChain chain;
+  std::vector<OrderError> orders;
+  std::vector<VerificationRow> verification; ///< empty where the campaign has no verification rows
+  // How it was made
+  FitMethod method = FitMethod::Stepwise;
+  int order = 5; ///< of the nonlinearity
+  std::array<std::string, 3> orderExplanation;
+  std::vector<BlockSummary> blocks;
+  std::optional<ProbeQuality> probe;
+  std::vector<FieldWarning> warnings;
 };
 
 } // namespace straightedge::field

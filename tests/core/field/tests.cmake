@@ -5,6 +5,6 @@ straightedge_add_test(NAME core_field_chain
   LABELS core)
 
 straightedge_add_test(NAME core_field_blocks
-  SOURCES core/field/block_figures_test.cpp
+  SOURCES core/field/block_figures_test.cpp core/field/field_fit_test.cpp
   LIBRARIES straightedge::core
   LABELS core)
