@@ -8,3 +8,9 @@ straightedge_add_test(NAME core_field_blocks
   SOURCES core/field/block_figures_test.cpp core/field/field_fit_test.cpp
   LIBRARIES straightedge::core
   LABELS core)
+
+# all blocks together
+straightedge_add_test(NAME core_field_joint
+  SOURCES core/field/joint_fit_test.cpp
+  LIBRARIES straightedge::core
+  LABELS core)
