@@ -9,6 +9,15 @@ namespace straightedge::session {
 
 namespace {
 
+/// Of both kinds of session. Columns as in FieldSample.
+constexpr const char* fieldTable = R"sql(
+CREATE TABLE field_sample(
+  sweep INTEGER NOT NULL, sequence INTEGER NOT NULL, stage INTEGER NOT NULL, point INTEGER NOT NULL,
+  attempt INTEGER NOT NULL, time_s REAL NOT NULL, step INTEGER NOT NULL, axis INTEGER, orientation INTEGER,
+  locked INTEGER NOT NULL, reference_t REAL, chamber_c REAL, pt100_ohm REAL, electronics_c REAL,
+  raw_x_t REAL NOT NULL, raw_y_t REAL NOT NULL, raw_z_t REAL NOT NULL, PRIMARY KEY(sweep, sequence)) WITHOUT ROWID;
+)sql";
+
 constexpr const char* tablesOfVersion1 = R"sql(
 CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE document(name TEXT PRIMARY KEY, json TEXT NOT NULL) WITHOUT ROWID;
@@ -21,7 +30,8 @@ CREATE TABLE sample_gap(
   PRIMARY KEY(sweep, first_missing)) WITHOUT ROWID;
 )sql";
 
-/// Step i leads from version i to i + 1. Version 0 had one sweep, no repeated points and no record of gaps.
+/// Step i leads from version i to i + 1. Version 0 had one sweep, no repeated points and no record of gaps;
+/// version 1 no samples of fields.
 constexpr std::array<const char*, Session::schemaVersion> migrations = {R"sql(
 ALTER TABLE angle_sample RENAME TO angle_sample_0;
 CREATE TABLE angle_sample(
@@ -34,7 +44,8 @@ DROP TABLE angle_sample_0;
 CREATE TABLE sample_gap(
   sweep INTEGER NOT NULL, first_missing INTEGER NOT NULL, count INTEGER NOT NULL, reason TEXT NOT NULL,
   PRIMARY KEY(sweep, first_missing)) WITHOUT ROWID;
-)sql"};
+)sql",
+                                                                        fieldTable};
 
 Result<void> setVersion(Database& database, int version) {
   return database.run(("PRAGMA user_version = " + std::to_string(version)).c_str());
@@ -65,6 +76,9 @@ Result<void> checkTables(Database& database, std::int64_t version, const std::fi
   if (version >= 1) {
     tables.emplace_back("sample_gap");
   }
+  if (version >= 2) {
+    tables.emplace_back("field_sample");
+  }
   for (const std::string& table : tables) {
     const auto count =
         database.integer("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name = '" + table + "'");
@@ -89,6 +103,9 @@ Result<void> createSchema(Database& database, SessionKind kind) {
       "PRAGMA application_id = " + std::to_string(sessionApplicationId) + "; INSERT INTO meta VALUES('kind', '" +
       (kind == SessionKind::Angle ? "angle" : "field") + "'), ('software', 'straightedge " STRAIGHTEDGE_VERSION "')";
   if (auto made = database.run(tablesOfVersion1); !made) {
+    return made;
+  }
+  if (auto made = database.run(fieldTable); !made) {
     return made;
   }
   if (auto named = database.run(identity.c_str()); !named) {

@@ -89,8 +89,9 @@ Result<void> Connection::deleteCleared() {
       continue;
     }
     const std::string number = std::to_string(sweep);
-    const std::string sql =
-        "DELETE FROM angle_sample WHERE sweep = " + number + "; DELETE FROM sample_gap WHERE sweep = " + number;
+    const std::string sql = "DELETE FROM angle_sample WHERE sweep = " + number +
+                            "; DELETE FROM field_sample WHERE sweep = " + number +
+                            "; DELETE FROM sample_gap WHERE sweep = " + number;
     if (auto deleted = database->run(sql.c_str()); !deleted) {
       return deleted;
     }

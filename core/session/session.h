@@ -25,7 +25,9 @@ enum class SweepRole : std::uint8_t { Calibration, Verification };
 /// survives the death of the program, and a power loss as far as the disk keeps its word about flushing.
 class Session {
 public:
-  static constexpr int schemaVersion = 1;
+  static constexpr int schemaVersion = 2;
+  /// From this one on a file is read as it is where it cannot be migrated.
+  static constexpr int oldestReadableVersion = 1;
 
   /// Creates a new file whole or not at all; refuses to overwrite. Errors: Storage.
   static Result<std::unique_ptr<Session>> create(const std::filesystem::path& file, SessionKind kind);
@@ -49,6 +51,8 @@ public:
 
   Result<std::vector<AngleSample>> angleSamples(SweepRole role) const; ///< all committed, in order of sequence
   Result<std::int64_t> angleSampleCount(SweepRole role) const;
+  Result<std::vector<FieldSample>> fieldSamples(SweepRole role) const; ///< likewise, of a session of kind Field
+  Result<std::int64_t> fieldSampleCount(SweepRole role) const;
   Result<std::vector<SampleGap>> gaps(SweepRole role) const;
   /// Starts a sweep over: its samples are not seen any more at once, and leave the file in one transaction with the
   /// next thing that is written (samples of the new sweep, or a document that speaks of it), or on closing.
@@ -57,6 +61,7 @@ public:
   /// A sink for one capture; commits at most 0.5 s after the oldest uncommitted sample by itself, in a thread of its
   /// own. Destroy it before close(). Samples that could not be written are kept and tried again with the next commit.
   Result<std::unique_ptr<SampleSink>> angleSink(SweepRole role);
+  Result<std::unique_ptr<FieldSampleSink>> fieldSink(SweepRole role); ///< likewise
 
   /// Named JSON documents beside the samples: "plan", "bench", "review", "models", "traceability", "result", … ;
   /// empty string where there is none yet. Written in one transaction each.

@@ -94,7 +94,7 @@ Result<std::unique_ptr<Session::Impl>> openConnectionForReading(const std::files
     }
   }
   const auto version = database->integer("PRAGMA user_version");
-  if (version && *version < Session::schemaVersion) {
+  if (version && *version < Session::oldestReadableVersion) {
     return fail(ErrorKind::Storage,
                 "the session has the older file version " + std::to_string(*version) +
                     " and cannot be converted where it may not be written",

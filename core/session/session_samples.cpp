@@ -1,5 +1,5 @@
 // Samples in and out of a session.
-#include "core/session/angle_sink.h"
+#include "core/session/committing_sink.h"
 #include "core/session/session_impl.h"
 
 #include <utility>

@@ -1,6 +1,7 @@
 straightedge_add_test(NAME core_session
   SOURCES
     core/session/damage_test.cpp
+    core/session/field_samples_test.cpp
     core/session/migration_test.cpp
     core/session/session_test.cpp
     core/session/storage_test.cpp
@@ -8,6 +9,6 @@ straightedge_add_test(NAME core_session
   LABELS core)
 
 straightedge_add_test(NAME core_session_threads
-  SOURCES core/session/angle_sink_test.cpp
+  SOURCES core/session/committing_sink_test.cpp
   LIBRARIES straightedge::core
   LABELS core threads)

@@ -1,4 +1,4 @@
-#include "core/session/angle_sink.h"
+#include "core/session/committing_sink.h"
 
 #include <utility>
 
@@ -9,19 +9,76 @@ namespace {
 /// More than this is written at once rather than gathered: 3 s at 10,000 samples a second.
 constexpr std::size_t largestBatch = 32768;
 
+void bindOptional(Statement& statement, int parameter, const std::optional<double>& value) {
+  value ? statement.bind(parameter, *value) : statement.bindNull(parameter);
+}
+
+void bindOptional(Statement& statement, int parameter, const std::optional<int>& value) {
+  value ? statement.bind(parameter, std::int64_t{*value}) : statement.bindNull(parameter);
+}
+
 } // namespace
 
-AngleSink::AngleSink(std::shared_ptr<Connection> connection, SweepRole role)
+template <>
+const char* SampleTable<AngleSample>::insertSql() {
+  return "INSERT INTO angle_sample(sweep, sequence, point, attempt, turn, direction, time_s, encoder_deg, sensor_deg, "
+         "temperature_c) VALUES(?1,?2,?3,?4,?5,?6,?7,?8,?9,?10)";
+}
+
+template <>
+void SampleTable<AngleSample>::bind(Statement& statement, const AngleSample& sample) {
+  statement.bind(2, sample.sequence);
+  statement.bind(3, std::int64_t{sample.point});
+  statement.bind(4, std::int64_t{sample.attempt});
+  statement.bind(5, std::int64_t{sample.turn});
+  statement.bind(6, std::int64_t{sample.direction});
+  statement.bind(7, sample.timeS);
+  statement.bind(8, sample.encoderDeg);
+  statement.bind(9, sample.sensorDeg);
+  bindOptional(statement, 10, sample.temperatureC);
+}
+
+template <>
+const char* SampleTable<FieldSample>::insertSql() {
+  return "INSERT INTO field_sample(sweep, sequence, stage, point, attempt, time_s, step, axis, orientation, locked, "
+         "reference_t, chamber_c, pt100_ohm, electronics_c, raw_x_t, raw_y_t, raw_z_t) "
+         "VALUES(?1,?2,?3,?4,?5,?6,?7,?8,?9,?10,?11,?12,?13,?14,?15,?16,?17)";
+}
+
+template <>
+void SampleTable<FieldSample>::bind(Statement& statement, const FieldSample& sample) {
+  statement.bind(2, sample.sequence);
+  statement.bind(3, std::int64_t{sample.stage});
+  statement.bind(4, std::int64_t{sample.point});
+  statement.bind(5, std::int64_t{sample.attempt});
+  statement.bind(6, sample.timeS);
+  statement.bind(7, std::int64_t{sample.step});
+  bindOptional(statement, 8, sample.axis);
+  bindOptional(statement, 9, sample.orientation);
+  statement.bind(10, std::int64_t{sample.locked ? 1 : 0});
+  bindOptional(statement, 11, sample.referenceT);
+  bindOptional(statement, 12, sample.chamberC);
+  bindOptional(statement, 13, sample.pt100Ohm);
+  bindOptional(statement, 14, sample.electronicsC);
+  statement.bind(15, sample.rawT[0]);
+  statement.bind(16, sample.rawT[1]);
+  statement.bind(17, sample.rawT[2]);
+}
+
+template <typename Sample>
+CommittingSink<Sample>::CommittingSink(std::shared_ptr<Connection> connection, SweepRole role)
     : m_connection(std::move(connection)), m_role(role),
       m_thread([this](const std::stop_token& stop) { commitInTime(stop); }) {}
 
-AngleSink::~AngleSink() {
+template <typename Sample>
+CommittingSink<Sample>::~CommittingSink() {
   m_thread.request_stop();
   m_thread.join();
   std::ignore = commit();
 }
 
-Result<void> AngleSink::append(std::span<const AngleSample> samples) {
+template <typename Sample>
+Result<void> CommittingSink<Sample>::append(std::span<const Sample> samples) {
   bool much = false;
   {
     const std::scoped_lock lock(m_mutex);
@@ -36,7 +93,8 @@ Result<void> AngleSink::append(std::span<const AngleSample> samples) {
   return much ? commit() : Result<void>();
 }
 
-Result<void> AngleSink::recordGap(const SampleGap& gap) {
+template <typename Sample>
+Result<void> CommittingSink<Sample>::recordGap(const SampleGap& gap) {
   const std::scoped_lock lock(m_mutex);
   if (m_failure) {
     return std::unexpected(*m_failure);
@@ -47,16 +105,18 @@ Result<void> AngleSink::recordGap(const SampleGap& gap) {
   return {};
 }
 
-void AngleSink::pendingGrew(bool wasEmpty) {
+template <typename Sample>
+void CommittingSink<Sample>::pendingGrew(bool wasEmpty) {
   if (wasEmpty && !nothingPending()) {
     m_oldest = std::chrono::steady_clock::now();
     m_changed.notify_all();
   }
 }
 
-Result<void> AngleSink::commit() {
+template <typename Sample>
+Result<void> CommittingSink<Sample>::commit() {
   const std::scoped_lock writing(m_writing);
-  std::vector<AngleSample> samples;
+  std::vector<Sample> samples;
   std::vector<SampleGap> gaps;
   {
     const std::scoped_lock lock(m_mutex);
@@ -81,7 +141,8 @@ Result<void> AngleSink::commit() {
   return written;
 }
 
-Result<void> AngleSink::write(const std::vector<AngleSample>& samples, const std::vector<SampleGap>& gaps) {
+template <typename Sample>
+Result<void> CommittingSink<Sample>::write(const std::vector<Sample>& samples, const std::vector<SampleGap>& gaps) {
   const std::scoped_lock lock(m_connection->mutex);
   Database& database = *m_connection->database;
   Transaction transaction(database);
@@ -91,22 +152,13 @@ Result<void> AngleSink::write(const std::vector<AngleSample>& samples, const std
   if (auto deleted = m_connection->deleteCleared(); !deleted) {
     return deleted;
   }
-  auto insert = database.prepare("INSERT INTO angle_sample(sweep, sequence, point, attempt, turn, direction, time_s, "
-                                 "encoder_deg, sensor_deg, temperature_c) VALUES(?1,?2,?3,?4,?5,?6,?7,?8,?9,?10)");
+  auto insert = database.prepare(SampleTable<Sample>::insertSql());
   if (!insert) {
     return std::unexpected(std::move(insert.error()));
   }
   insert->bind(1, sweepNumber(m_role));
-  for (const AngleSample& sample : samples) {
-    insert->bind(2, sample.sequence);
-    insert->bind(3, std::int64_t{sample.point});
-    insert->bind(4, std::int64_t{sample.attempt});
-    insert->bind(5, std::int64_t{sample.turn});
-    insert->bind(6, std::int64_t{sample.direction});
-    insert->bind(7, sample.timeS);
-    insert->bind(8, sample.encoderDeg);
-    insert->bind(9, sample.sensorDeg);
-    sample.temperatureC ? insert->bind(10, *sample.temperatureC) : insert->bindNull(10);
+  for (const Sample& sample : samples) {
+    SampleTable<Sample>::bind(*insert, sample);
     if (auto inserted = insert->execute(); !inserted) {
       return inserted;
     }
@@ -132,7 +184,8 @@ Result<void> AngleSink::write(const std::vector<AngleSample>& samples, const std
   return {};
 }
 
-void AngleSink::commitInTime(const std::stop_token& stop) {
+template <typename Sample>
+void CommittingSink<Sample>::commitInTime(const std::stop_token& stop) {
   std::unique_lock lock(m_mutex);
   for (;;) {
     // After a failure only commit() tries again: a full disk is not hammered.
@@ -151,5 +204,8 @@ void AngleSink::commitInTime(const std::stop_token& stop) {
     }
   }
 }
+
+template class CommittingSink<AngleSample>;
+template class CommittingSink<FieldSample>;
 
 } // namespace straightedge::session

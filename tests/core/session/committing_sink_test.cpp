@@ -1,5 +1,5 @@
 // The sink commits in time by itself, and several threads may use a session and its sink.
-#include "core/session/angle_sink.h"
+#include "core/session/committing_sink.h"
 #include "tests/core/session/session_fixture.h"
 
 #include <gtest/gtest.h>
@@ -53,6 +53,17 @@ TEST_F(AngleSinkTest, RefusesASequenceNumberThatIsTaken) {
   ASSERT_TRUE(sink->append(tests::countedSamples(1, 4)));
   EXPECT_FALSE(sink->commit());
   EXPECT_EQ(committed(), 5);
+}
+
+TEST_F(AngleSinkTest, RowsOfAFieldCampaignAreCommittedInTimeToo) {
+  auto session = *Session::create(m_folder / "field.sedge", SessionKind::Field);
+  auto sink = *session->fieldSink(SweepRole::Calibration);
+  ASSERT_TRUE(sink->append(std::vector<FieldSample>(1)));
+  const auto deadline = std::chrono::steady_clock::now() + 60s; // never reached where it works
+  while (*session->fieldSampleCount(SweepRole::Calibration) < 1 && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(5ms);
+  }
+  EXPECT_EQ(*session->fieldSampleCount(SweepRole::Calibration), 1);
 }
 
 TEST_F(AngleSinkTest, AWindowMayReadAndWriteWhileACaptureStores) {
