@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace straightedge::devices {
@@ -15,6 +16,21 @@ namespace straightedge::devices {
 class FieldProbe;      // devices/instruments/field_instruments.h
 class FieldReference;  // devices/instruments/field_instruments.h
 class ResistanceMeter; // devices/instruments/field_instruments.h
+
+/// What an instrument is used for on a bench.
+enum class InstrumentRole : std::uint8_t {
+  AngleSensor,
+  AngleReference,
+  FieldProbe,
+  FieldReference,
+  Resistance,
+  Temperature
+};
+
+/// "angle-sensor", "angle-reference", "field-probe", "field-reference", "resistance", "temperature": in profiles, saved
+/// benches and on the command line.
+std::string_view roleWord(InstrumentRole role);
+std::optional<InstrumentRole> roleFromWord(std::string_view word);
 
 /// Readings that came since the last look, in order of time.
 struct ReadingBlock {

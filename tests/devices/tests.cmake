@@ -24,6 +24,7 @@ straightedge_add_test(NAME devices_serial
 
 straightedge_add_test(NAME devices_instruments
   SOURCES devices/instruments/line_parser_test.cpp
+    devices/instruments/qsb_test.cpp
   LIBRARIES straightedge::devices
   LABELS devices)
 
