@@ -23,7 +23,9 @@ straightedge_add_test(NAME devices_serial
   LABELS devices)
 
 straightedge_add_test(NAME devices_instruments
-  SOURCES devices/instruments/line_parser_test.cpp
+  SOURCES devices/instruments/field_drivers_test.cpp
+    devices/instruments/line_parser_test.cpp
+    devices/instruments/meter_drivers_test.cpp
     devices/instruments/qsb_test.cpp
   LIBRARIES straightedge::devices
   LABELS devices)

@@ -27,34 +27,25 @@ TEST(QsbReply, TheManualsFormsAreRead) {
   }
 }
 
-const std::initializer_list<std::string> setUp = {"x",
-                                                  "> R0E\\r\\n",
-                                                  "< r 0E 00000000 !\\r\\n",
-                                                  "> W150000000F\\r\\n",
-                                                  "< w 15 0000000F 00000001 !\\r\\n",
-                                                  "> R14\\r\\n",
-                                                  "< r 14 12345009 00000002 !\\r\\n",
-                                                  "> W033\\r\\n",
-                                                  "< w 03 00000003 00000003 !\\r\\n",
-                                                  "> W040\\r\\n",
-                                                  "< w 04 00000000 00000003 !\\r\\n",
-                                                  "> W0B0\\r\\n",
-                                                  "< w 0B 00000000 00000003 !\\r\\n",
-                                                  "> W0C1\\r\\n",
-                                                  "< w 0C 00000001 00000003 !\\r\\n",
-                                                  "> W0D1\\r\\n",
-                                                  "< w 0D 00000001 00000000 !\\r\\n"};
+const std::vector<std::string> setUp = {"x",
+                                        "> R0E\\r\\n",
+                                        "< r 0E 00000000 !\\r\\n",
+                                        "> W150000000F\\r\\n",
+                                        "< w 15 0000000F 00000001 !\\r\\n",
+                                        "> R14\\r\\n",
+                                        "< r 14 12345009 00000002 !\\r\\n",
+                                        "> W033\\r\\n",
+                                        "< w 03 00000003 00000003 !\\r\\n",
+                                        "> W040\\r\\n",
+                                        "< w 04 00000000 00000003 !\\r\\n",
+                                        "> W0B0\\r\\n",
+                                        "< w 0B 00000000 00000003 !\\r\\n",
+                                        "> W0C1\\r\\n",
+                                        "< w 0C 00000001 00000003 !\\r\\n",
+                                        "> W0D1\\r\\n",
+                                        "< w 0D 00000001 00000000 !\\r\\n"};
 
-ReplayTransport afterSetUp(std::vector<std::string> more) {
-  std::string text = "straightedge-dialogue 1\ntransport test line\nmessages no\n";
-  for (const std::string& exchange : setUp) {
-    text += "0 " + exchange + "\n";
-  }
-  for (const std::string& exchange : more) {
-    text += "0 " + exchange + (exchange.starts_with("!<") ? ": nothing came; wait" : "") + "\n";
-  }
-  return {parseDialogue(text, "script").value(), "script"};
-}
+ReplayTransport afterSetUp(const std::vector<std::string>& more) { return script(setUp, false, more); }
 
 TEST(Qsb, CountsBecomeDegrees) {
   auto line = afterSetUp(

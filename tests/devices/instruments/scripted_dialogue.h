@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include <initializer_list>
-#include <memory>
+#include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace straightedge::devices {
 
@@ -27,12 +27,16 @@ private:
   mutable double m_nowS = 0.0;
 };
 
-inline ReplayTransport script(std::initializer_list<std::string> exchanges, bool messages = false) {
+/// `messages`: as USBTMC has them. `then` follows `first`, where a set-up is common to several tests.
+inline ReplayTransport script(const std::vector<std::string>& first, bool messages = false,
+                              const std::vector<std::string>& then = {}) {
   std::string text =
       std::string("straightedge-dialogue 1\ntransport test line\nmessages ") + (messages ? "yes" : "no") + "\n";
-  for (const std::string& exchange : exchanges) {
+  const auto add = [&](const std::string& exchange) {
     text += "0 " + exchange + (exchange.starts_with("!<") ? ": nothing came; wait" : "") + "\n";
-  }
+  };
+  std::ranges::for_each(first, add);
+  std::ranges::for_each(then, add);
   auto dialogue = parseDialogue(text, "script");
   EXPECT_TRUE(dialogue) << (dialogue ? "" : dialogue.error().message());
   return {dialogue ? *std::move(dialogue) : Dialogue{}, "script"};
