@@ -1,7 +1,9 @@
 #include "core/angle/quantisation.h"
 #include "core/base/file_bytes.h"
+#include "core/export/calibration_head.h"
 #include "core/export/calibration_json.h"
 #include "core/export/calibration_words.h"
+#include "core/export/json_optional.h"
 #include "core/export/json_reader.h"
 
 #include <algorithm>
@@ -14,46 +16,6 @@ namespace {
 
 using namespace angle;
 
-constexpr long long largestCount = 1LL << 52U;
-
-/// Several keys of a file that others wrote may be absent; what they stand for is then simply not known.
-std::string textIfAny(JsonReader& reader, const JsonNode& parent, std::string_view key) {
-  return parent.optional(key) ? reader.text(parent, key) : std::string();
-}
-
-double numberIfAny(JsonReader& reader, const JsonNode& parent, std::string_view key, double otherwise = 0.0) {
-  return parent.optional(key) ? reader.number(parent, key) : otherwise;
-}
-
-std::optional<double> optionalNumber(JsonReader& reader, const JsonNode& parent, std::string_view key) {
-  return parent.optional(key) ? std::optional(reader.number(parent, key)) : std::nullopt;
-}
-
-/// A list if the key is there; no list otherwise.
-JsonNode listIfAny(JsonReader& reader, const JsonNode& parent, std::string_view key) {
-  const JsonNode node = parent.optional(key);
-  return node ? reader.list(parent, key) : node;
-}
-
-JsonNode objectIfAny(JsonReader& reader, const JsonNode& parent, std::string_view key) {
-  const JsonNode node = parent.optional(key);
-  return node ? reader.object(parent, key) : node;
-}
-
-template <typename Words>
-auto readWord(JsonReader& reader, const JsonNode& parent, std::string_view key, const Words& words) {
-  const std::string text = reader.text(parent, key);
-  std::string allowed;
-  for (const auto& [value, word] : words) {
-    if (word == text) {
-      return value;
-    }
-    allowed += (allowed.empty() ? "\"" : ", \"") + std::string(word) + "\"";
-  }
-  reader.blame(parent.optional(key).path + " is \"" + text + "\" but must be one of " + allowed);
-  return words.front().first;
-}
-
 /// A topic that a later version knows counts as Other: its text says what there is to say.
 Warning::Topic topicOf(std::string_view text) {
   for (const auto& [topic, word] : topicWords) {
@@ -62,30 +24,6 @@ Warning::Topic topicOf(std::string_view text) {
     }
   }
   return Warning::Topic::Other;
-}
-
-/// Format, version and kind: what this program cannot read at all.
-void readHead(JsonReader& reader, const JsonNode& root) {
-  const std::string otherFile = "name a calibration.json that Straightedge wrote";
-  const JsonNode format = root.optional("format");
-  if (!format || !format.value->is_string() || *format.value != "straightedge-calibration") {
-    reader.blame("this is not a Straightedge calibration", otherFile);
-    return;
-  }
-  const long long version = reader.integer(root, "version", 0, largestCount);
-  if (!reader.problem() && version != calibrationFormatVersion) {
-    reader.blame("the file is of version " + std::to_string(version) + ", this program reads version " +
-                     std::to_string(calibrationFormatVersion),
-                 version > calibrationFormatVersion ? "use a later Straightedge" : otherFile);
-    return;
-  }
-  const std::string kind = reader.text(root, "kind");
-  if (!reader.problem() && kind == "field") {
-    reader.blame("this is a field calibration, an angle calibration is needed",
-                 "use the field commands or name another file");
-  } else if (!reader.problem() && kind != "angle") {
-    reader.blame("the calibration is of the unknown kind \"" + kind + "\"", "use a later Straightedge");
-  }
 }
 
 void readModelErrors(JsonReader& reader, const JsonNode& node, ModelErrors& errors) {
@@ -218,26 +156,6 @@ Model readModel(JsonReader& reader, const JsonNode& node) {
   return model;
 }
 
-Traceability readTraceability(JsonReader& reader, const JsonNode& root) {
-  Traceability traceability;
-  if (const JsonNode device = objectIfAny(reader, root, "device")) {
-    traceability.deviceSerial = textIfAny(reader, device, "serial");
-    traceability.deviceModel = textIfAny(reader, device, "model");
-  }
-  traceability.operatorName = textIfAny(reader, root, "operator");
-  if (const JsonNode reference = objectIfAny(reader, root, "reference")) {
-    traceability.reference.model = textIfAny(reader, reference, "model");
-    traceability.reference.serial = textIfAny(reader, reference, "serial");
-    traceability.reference.certificate = textIfAny(reader, reference, "certificate");
-    traceability.reference.due = textIfAny(reader, reference, "due");
-    traceability.reference.uncertainty = numberIfAny(reader, reference, "uncertainty");
-  }
-  if (const JsonNode environment = objectIfAny(reader, root, "environment")) {
-    traceability.ambientC = optionalNumber(reader, environment, "ambient_C");
-  }
-  return traceability;
-}
-
 void readUncertainty(JsonReader& reader, const JsonNode& root, std::vector<UncertaintyBudget>& budgets) {
   const JsonNode list = root.optional("uncertainty");
   if (!list || !list.value->is_array()) {
@@ -306,20 +224,14 @@ Result<AngleCalibration> calibrationFromJson(std::string_view text, const std::s
   JsonReader reader(name);
   const JsonNode root{.value = &*parsed, .path = {}};
   AngleCalibration calibration;
-  if (reader.requireObject(root)) {
-    readHead(reader, root);
-  }
+  CalibrationHead head = readCalibrationHead(reader, root, "angle");
   if (const auto& problem = reader.problem()) {
     return std::unexpected(*problem);
   }
-  calibration.created = textIfAny(reader, root, "created");
-  calibration.software = textIfAny(reader, root, "software");
-  if (const JsonNode source = objectIfAny(reader, root, "source")) {
-    calibration.source.file = textIfAny(reader, source, "file");
-    calibration.source.sha256 = textIfAny(reader, source, "sha256");
-    calibration.source.points = source.optional("points") ? reader.integer(source, "points", 0, largestCount) : 0;
-  }
-  calibration.traceability = readTraceability(reader, root);
+  calibration.created = std::move(head.created);
+  calibration.software = std::move(head.software);
+  calibration.source = std::move(head.source);
+  calibration.traceability = std::move(head.traceability);
   calibration.direction = readWord(reader, root, "direction", directionWords);
   const JsonNode models = reader.list(root, "models");
   for (std::size_t i = 0; i < models.size() && !reader.problem(); ++i) {

@@ -1,4 +1,5 @@
 #include "core/base/json_writer.h"
+#include "core/export/calibration_head.h"
 #include "core/export/calibration_json.h"
 #include "core/export/calibration_words.h"
 
@@ -7,40 +8,6 @@ namespace straightedge::exporting {
 namespace {
 
 using namespace angle;
-
-void writeSource(JsonWriter& json, const SourceRecord& source) {
-  json.openObject("source", true);
-  json.member("file", source.file);
-  json.member("sha256", source.sha256);
-  json.member("points", source.points);
-  json.endObject();
-}
-
-void writeTraceability(JsonWriter& json, const Traceability& traceability) {
-  json.openObject("device", true);
-  json.member("serial", traceability.deviceSerial);
-  json.member("model", traceability.deviceModel);
-  json.endObject();
-  if (!traceability.operatorName.empty()) {
-    json.member("operator", traceability.operatorName);
-  }
-  const ReferenceInstrument& reference = traceability.reference;
-  if (!reference.model.empty() || !reference.serial.empty() || !reference.certificate.empty() ||
-      !reference.due.empty() || reference.uncertainty != 0.0) {
-    json.openObject("reference");
-    json.member("model", reference.model);
-    json.member("serial", reference.serial);
-    json.member("certificate", reference.certificate);
-    json.member("due", reference.due);
-    json.member("uncertainty", reference.uncertainty);
-    json.endObject();
-  }
-  if (traceability.ambientC) {
-    json.openObject("environment", true);
-    json.member("ambient_C", *traceability.ambientC);
-    json.endObject();
-  }
-}
 
 void writeErrors(JsonWriter& json, std::string_view name, double curve, double points) {
   json.openObject(name, true);
@@ -186,13 +153,8 @@ void writeFindings(JsonWriter& json, const AngleCalibration& calibration) {
 std::string calibrationToJson(const AngleCalibration& calibration) {
   JsonWriter json;
   json.beginObject();
-  json.member("format", "straightedge-calibration");
-  json.member("version", calibrationFormatVersion);
-  json.member("kind", "angle");
-  json.member("created", calibration.created);
-  json.member("software", calibration.software);
-  writeSource(json, calibration.source);
-  writeTraceability(json, calibration.traceability);
+  writeCalibrationHead(json, "angle",
+                       {calibration.created, calibration.software, calibration.source, calibration.traceability});
   json.member("direction", wordOf(directionWords, calibration.direction));
   json.openList("models");
   for (const Model& model : calibration.models) {

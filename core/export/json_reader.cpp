@@ -7,8 +7,8 @@ namespace straightedge::exporting {
 
 using nlohmann::json;
 
-Result<json> parseJson(std::string_view text, const std::string& name) {
-  constexpr const char* remedy = "write the file anew with straightedge-cli angle fit";
+Result<json> parseJson(std::string_view text, const std::string& name, std::string_view remedyText) {
+  const std::string remedy(remedyText);
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     return fail(ErrorKind::Input, "the file is empty", remedy, name);
   }

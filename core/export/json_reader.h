@@ -12,8 +12,13 @@
 
 namespace straightedge::exporting {
 
+/// What to do about a file that is not as it should be.
+inline constexpr std::string_view angleFitAgain = "write the file anew with straightedge-cli angle fit";
+inline constexpr std::string_view fieldFitAgain = "write the file anew with straightedge-cli field fit";
+
 /// Parsed text. Errors (Input): FILE:LINE where the text stops being JSON; a number too large for a double.
-Result<nlohmann::json> parseJson(std::string_view text, const std::string& name);
+Result<nlohmann::json> parseJson(std::string_view text, const std::string& name,
+                                 std::string_view remedy = angleFitAgain);
 
 /// A value together with its path in the file ("models[1].values_deg").
 struct JsonNode {
@@ -29,7 +34,8 @@ struct JsonNode {
 /// Getters give a harmless value after the first problem; check problem() at the end, and before using sizes.
 class JsonReader {
 public:
-  explicit JsonReader(std::string name) : m_name(std::move(name)) {}
+  explicit JsonReader(std::string name, std::string_view remedy = angleFitAgain)
+      : m_name(std::move(name)), m_remedy(remedy) {}
 
   JsonNode object(const JsonNode& parent, std::string_view key);
   JsonNode list(const JsonNode& parent, std::string_view key);
@@ -42,7 +48,8 @@ public:
   double asNumber(const JsonNode& node);
   long long asInteger(const JsonNode& node, long long least, long long most);
 
-  void blame(std::string what, std::string remedy = "write the file anew with straightedge-cli angle fit");
+  void blame(std::string what, std::string remedy);
+  void blame(std::string what) { blame(std::move(what), m_remedy); }
   const std::optional<Error>& problem() const { return m_problem; }
 
 private:
@@ -50,6 +57,7 @@ private:
   void wrongType(const JsonNode& node, std::string_view wanted);
 
   std::string m_name;
+  std::string m_remedy; ///< unless one is given
   std::optional<Error> m_problem;
 };
 
