@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace straightedge::field {
 
@@ -228,11 +229,23 @@ void checkFullScale(const FieldRun& run, std::vector<FieldWarning>& warnings) {
   }
 }
 
+/// All blocks together from where the fit step by step ended, which stays in the run beside the result.
+Result<void> refineJointly(FieldRun& run, const std::string& name) {
+  auto report = fitJointly(run.parts, run.result.chain, {}, name);
+  if (!report) {
+    return std::unexpected(std::move(report.error()));
+  }
+  const CorrectionChain stepwise = std::exchange(run.result.chain, report->chain);
+  run.result.method = FitMethod::Joint;
+  run.joint.emplace(FieldRun::Joint{*std::move(report), stepwise, verifyChain(stepwise, run.parts)});
+  return {};
+}
+
 } // namespace
 
 Result<FieldRun> calibrateField(const Campaign& campaign, const FieldFitOptions& options,
                                 const Traceability& traceability) {
-  FieldRun run{CampaignParts(campaign), {}, {}, {}};
+  FieldRun run{CampaignParts(campaign), {}, {}, {}, {}};
   run.result.software = "straightedge " STRAIGHTEDGE_VERSION;
   run.result.source = {campaign.name, campaign.sha256, static_cast<long long>(campaign.rows.size())};
   run.result.traceability = traceability;
@@ -255,8 +268,9 @@ Result<FieldRun> calibrateField(const Campaign& campaign, const FieldFitOptions&
                          "record at least the step nonlinearity");
   }
   if (options.method == FitMethod::Joint) {
-    return fail(ErrorKind::Usage, "fitting all blocks together is not available in this version",
-                "leave out --method joint");
+    if (auto done = refineJointly(run, campaign.name); !done) {
+      return std::unexpected(std::move(done.error()));
+    }
   }
   checkFullScale(run, run.result.warnings);
   run.verification = verifyChain(run.result.chain, run.parts);

@@ -5,6 +5,7 @@
 #include "core/base/traceability.h"
 #include "core/field/axis_matrix.h"
 #include "core/field/calibration.h"
+#include "core/field/joint_fit.h"
 #include "core/field/nonlinearity.h"
 #include "core/field/probe_temperature.h"
 #include "core/field/sensitivity.h"
@@ -41,13 +42,20 @@ struct FieldRun {
   FieldReports reports; ///< of the fit step by step, whatever the method
   FieldVerification verification;
   FieldCalibration result;
+  /// Of the method joint: how it went, and what the fit step by step that it started from is and leaves.
+  struct Joint {
+    JointReport report;
+    CorrectionChain stepwiseChain;
+    FieldVerification stepwiseVerification;
+  };
+  std::optional<Joint> joint;
 };
 
 /// Plateaus, then block after block in the chain's order, each on what the ones before leave, then the verification.
 /// A step that is missing or cannot be used switches its block off, with a warning that says what it costs. `created`
 /// is left for the caller, who knows the clock. Errors (Input, where = the campaign's name and line): a nonlinearity
 /// that was recorded but cannot be used, since everything rests on it (fitNonlinearity); no step that can be used at
-/// all.
+/// all; of the method joint those of fitJointly().
 Result<FieldRun> calibrateField(const Campaign& campaign, const FieldFitOptions& options,
                                 const Traceability& traceability);
 

@@ -1,6 +1,7 @@
 #include "core/field/joint_fit.h"
 
 #include "core/base/number_text.h"
+#include "core/field/closest_fit.h"
 #include "core/field/joint_weights.h"
 #include "core/field/names.h"
 
@@ -18,11 +19,12 @@ namespace {
 class AxisProblem {
 public:
   AxisProblem(const std::vector<FitPoint>& points, AxisChain start, const Eigen::RowVector3d& rowOfS,
-              const Eigen::VectorXd& weights)
+              const Eigen::VectorXd& weights, bool holdRow = false)
       : m_points(points), m_chain(std::move(start)), m_parameters(independentParameters(m_chain)), m_rowOfS(rowOfS),
         m_rootWeights(weights.cwiseSqrt()),
-        m_fitsRow(std::any_of(points.begin(), points.end(),
-                              [](const FitPoint& point) { return point.step == CampaignStep::Orientation; })) {}
+        m_fitsRow(!holdRow && std::any_of(points.begin(), points.end(), [](const FitPoint& point) {
+          return point.step == CampaignStep::Orientation;
+        })) {}
 
   Eigen::Index unknowns() const { return static_cast<Eigen::Index>(m_parameters.size()) + (m_fitsRow ? 3 : 0); }
   Eigen::Index points() const { return static_cast<Eigen::Index>(m_points.size()); }
@@ -176,7 +178,7 @@ Result<void> fitAxis(const std::vector<FitPoint>& points, std::size_t axis, cons
     report.costBefore = costOf(residuals, weights.cwiseSqrt());
     report.peakBeforeT = residuals.cwiseAbs().maxCoeff();
   }
-  AxisProblem problem(points, inIndependentParameters(chain.axes[axis]), s.row(row), weights);
+  AxisProblem problem(points, inIndependentParameters(chain.axes[axis]), s.row(row), weights, options.holdAxisMatrix);
   const std::string who = "axis " + std::string(axisName(allAxes[axis]));
   if (problem.points() <= problem.unknowns()) {
     return fail(ErrorKind::Input,
@@ -227,6 +229,12 @@ Result<JointReport> fitJointly(const FitPoints& points, const CorrectionChain& s
   std::size_t count = 0;
   std::size_t rows = 0;
   for (std::size_t axis = 0; axis < report.axes.size(); ++axis) {
+    if (start.axes[axis].nonlinearity.empty()) {
+      return fail(ErrorKind::Input,
+                  "the nonlinearity of axis " + std::string(axisName(allAxes[axis])) +
+                      " is off, and all blocks together rest on it",
+                  "record the step nonlinearity for every axis, or fit step by step", name);
+    }
     if (auto done = fitAxis(points.axes[axis], axis, options, name, report.chain, report.axes[axis]); !done) {
       return std::unexpected(std::move(done.error()));
     }
@@ -240,7 +248,17 @@ Result<JointReport> fitJointly(const FitPoints& points, const CorrectionChain& s
 
 Result<JointReport> fitJointly(const CampaignParts& parts, const CorrectionChain& start, const JointOptions& options,
                                const std::string& name) {
-  return fitJointly(fitPoints(parts, start), start, options, name);
+  const FitPoints points = fitPoints(parts, start);
+  CorrectionChain better = start;
+  JointOptions chosen = options;
+  if (options.weights == JointWeights::EvenError && start.axisMatrix && !options.holdAxisMatrix) {
+    // Too few data for it: S is fitted with the rest, as well as it goes.
+    if (const auto closest = fitClosely(points, start, name)) {
+      better.axisMatrix = closest->chain.axisMatrix;
+      chosen.holdAxisMatrix = true;
+    }
+  }
+  return fitJointly(points, better, chosen, name);
 }
 
 } // namespace straightedge::field

@@ -4,8 +4,10 @@
 // Per axis: minimise Σ w·(V5(raw, T, E) − target)² over the axis's coefficients and its row of S, by Levenberg and
 // Marquardt's method (Marquardt 1963, J. Soc. Indust. Appl. Math. 11, 431) with analytic derivatives and a QR
 // decomposition of the scaled Jacobian. The target is the reference field; 0 in a zero-field chamber; the axis's row of
-// S times the field against the package in the orientations. So the axes are independent of each other, and S is as
-// linear as in its own fit. Which coefficients are unknown: axis_parameters.h.
+// S times the field against the package in the orientations. So the axes are independent of each other. Which
+// coefficients are unknown: axis_parameters.h. Where even errors are asked for, S is taken from the closest fit
+// (closest_fit.h) and held: what the polynomials cannot follow at the few fields of the orientations would pass for a
+// gain.
 #pragma once
 
 #include "core/base/error.h"
@@ -36,6 +38,7 @@ enum class JointWeights : std::uint8_t {
 
 struct JointOptions {
   JointWeights weights = JointWeights::EvenError;
+  bool holdAxisMatrix = false; ///< S is no unknown
   int mostIterations = 30;
 };
 
@@ -68,10 +71,11 @@ struct JointReport {
 };
 
 /// `start`: the chain fitted step by step; blocks that are off in it stay off.
-/// Errors (Input): an axis has fewer points than unknowns, or points that do not determine them.
+/// Errors (Input): the nonlinearity of an axis is off; an axis has fewer points than unknowns, or points that do not
+/// determine them.
 Result<JointReport> fitJointly(const CampaignParts& parts, const CorrectionChain& start, const JointOptions& options,
                                const std::string& name);
-/// The same where the points are there already.
+/// The same where the points are there already, in one go with the start's S.
 Result<JointReport> fitJointly(const FitPoints& points, const CorrectionChain& start, const JointOptions& options,
                                const std::string& name);
 

@@ -1,4 +1,6 @@
 #include "core/field/chain.h"
+#include "core/field/closest_fit.h"
+#include "core/field/field_fit.h"
 #include "core/field/joint_fit.h"
 #include "tests/core/field/example_campaign.h"
 #include "tests/core/field/stepwise_chain.h"
@@ -135,7 +137,43 @@ TEST(JointFit, blocksThatAreOffStayOff) {
   EXPECT_TRUE(joint->chain.axes[1].electronicsSensitivity);
 }
 
+TEST(JointFit, calibrateFieldReportsBothMethods) {
+  const auto joint = calibrateField(exampleCampaign(), {.method = FitMethod::Joint}, {});
+  const auto alone = calibrateField(exampleCampaign(), {}, {});
+  ASSERT_TRUE(joint && alone);
+  ASSERT_TRUE(joint->joint);
+  EXPECT_FALSE(alone->joint);
+  EXPECT_EQ(joint->result.method, FitMethod::Joint);
+  EXPECT_EQ(joint->joint->stepwiseChain.axes[0].nonlinearity, alone->result.chain.axes[0].nonlinearity);
+  for (const VerificationRow& row : joint->verification.rows) {
+    for (const VerificationRow& other : joint->joint->stepwiseVerification.rows) {
+      if (row.axis == other.axis && row.state == other.state && row.state >= VerifiedState::Calibrated) {
+        EXPECT_LT(row.ofFullScale.peak, other.ofFullScale.peak);
+        EXPECT_LT(row.ofFullScale.peak, 0.0105) << "percent; step by step up to 0.013";
+      }
+    }
+  }
+}
+
+TEST(ClosestFit, followsTheInstrumentToItsNoise) {
+  const FitPoints points = fitPoints(exampleParts(), stepwise());
+  const auto closest = fitClosely(points, stepwise(), "campaign.csv");
+  ASSERT_TRUE(closest) << closest.error().message();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    // Not 1: in this campaign the electronics' sensitivity is no line over the field, by up to 1e-5 T.
+    EXPECT_LT(closest->axes[axis].excess, 2.2);
+    EXPECT_LT(closest->axes[axis].peakAfterT, 2e-5) << "with order 5 it is 1.5e-4";
+    EXPECT_GE(closest->chain.axes[axis].nonlinearity.size(), 12U);
+    EXPECT_NEAR((*closest->chain.axisMatrix)(static_cast<Eigen::Index>(axis), static_cast<Eigen::Index>(axis)), 1.0,
+                5e-6);
+  }
+}
+
 TEST(JointFit, refusals) {
+  CorrectionChain noCurve = stepwise();
+  noCurve.axes[1].nonlinearity.clear();
+  EXPECT_THAT(fitJointly(exampleParts(), noCurve, {}, "c.csv").error().message(),
+              ::testing::HasSubstr("the nonlinearity of axis y is off"));
   const auto nothing = fitJointly(FitPoints{}, stepwise(), {}, "campaign.csv");
   ASSERT_FALSE(nothing);
   EXPECT_EQ(nothing.error().message(),
