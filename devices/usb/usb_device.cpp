@@ -123,8 +123,8 @@ const UsbEndpoint* UsbInterface::find(UsbEndpointType type, bool in) const {
   return it == endpoints.end() ? nullptr : &*it;
 }
 
-std::string UsbDevice::name() const {
-  std::string text = "USB " + hex4(vendorId) + ":" + hex4(productId);
+std::string UsbDevice::label() const {
+  std::string text = hex4(vendorId) + ":" + hex4(productId);
   text += serial.empty() ? " at " + port : " serial " + serial;
   return text;
 }

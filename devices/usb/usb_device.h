@@ -50,8 +50,8 @@ struct UsbDevice {
   std::string remedy;  ///< what mends it
   friend bool operator==(const UsbDevice&, const UsbDevice&) = default;
 
-  /// "USB 1bfa:0498 serial 0123", for messages.
-  std::string name() const;
+  std::string label() const; ///< "1bfa:0498 serial 0123", or "1bfa:0498 at 1-4.2" without one
+  std::string name() const { return "USB " + label(); } ///< for messages
 
   const UsbInterface* findInterface(std::uint8_t classCode, std::uint8_t subclass) const;
 };

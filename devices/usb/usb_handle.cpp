@@ -34,7 +34,7 @@ UsbResult<LibusbPtr<libusb_device_handle>> openHandle(libusb_context* context, c
 UsbHandle::UsbHandle(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 
 UsbHandle::~UsbHandle() {
-  m_impl->cancelInterrupt();
+  m_impl->reads.clear();
   for (const std::uint8_t number : m_impl->claimed) {
     // A device that is gone cannot be released, and nobody misses it.
     static_cast<void>(libusb_release_interface(m_impl->handle.get(), number));
@@ -48,6 +48,7 @@ UsbResult<std::unique_ptr<UsbHandle>> UsbHandle::open(const UsbDevice& device, s
   }
   auto impl = std::make_unique<Impl>();
   impl->name = device.name();
+  impl->interfaces = device.interfaces;
   impl->context = std::move(*context);
   auto handle = openHandle(impl->context.get(), device);
   if (!handle) {
@@ -80,15 +81,15 @@ UsbResult<void> UsbHandle::clearHalt(std::uint8_t endpoint) {
 }
 
 UsbResult<void> UsbHandle::reset() {
-  const bool wasPosted = m_impl->interrupt.posted;
-  m_impl->cancelInterrupt(); // libusb wants no transfer under way
+  for (const auto& reads : m_impl->reads) {
+    reads->takeBack(); // libusb wants no transfer under way
+  }
   const int code = libusb_reset_device(m_impl->handle.get());
   if (code != LIBUSB_SUCCESS) {
     return usbFailure(code, "resetting", name());
   }
-  if (wasPosted) {
-    m_impl->interrupt.closing = false;
-    m_impl->postInterrupt();
+  for (const auto& reads : m_impl->reads) {
+    reads->post();
   }
   return {};
 }

@@ -34,8 +34,8 @@ public:
                                  std::chrono::milliseconds deadline) override;
   UsbResult<void> clearHalt(std::uint8_t endpoint) override;
   UsbResult<void> reset() override;
-  UsbResult<void> startInterrupts(std::uint8_t endpoint, std::size_t packetSize) override;
-  UsbResult<std::vector<std::uint8_t>> nextInterrupt(std::chrono::milliseconds deadline) override;
+  UsbResult<void> startReading(std::uint8_t endpoint, std::size_t size, std::size_t count) override;
+  UsbResult<std::vector<std::uint8_t>> nextRead(std::uint8_t endpoint, std::chrono::milliseconds deadline) override;
 
 private:
   struct Impl;

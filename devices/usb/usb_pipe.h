@@ -48,12 +48,14 @@ public:
   /// Resets the device at its port and restores its configuration.
   virtual UsbResult<void> reset() = 0;
 
-  /// Keeps a read posted on an interrupt endpoint, exactly one packet long: a longer one would swallow several
-  /// notifications at once. To be called once per endpoint.
-  virtual UsbResult<void> startInterrupts(std::uint8_t endpoint, std::size_t packetSize) = 0;
+  /// Keeps `count` reads of `size` bytes posted on an IN endpoint from now on, so that what arrives while nobody waits
+  /// is not lost. On an interrupt endpoint `size` is one packet: a longer read would swallow several notifications at
+  /// once. To be called once per endpoint; that endpoint is then read with nextRead() only.
+  virtual UsbResult<void> startReading(std::uint8_t endpoint, std::size_t size, std::size_t count) = 0;
 
-  /// The oldest notification that was not yet taken; TimedOut when none came. A deadline of 0 looks and does not wait.
-  virtual UsbResult<std::vector<std::uint8_t>> nextInterrupt(std::chrono::milliseconds deadline) = 0;
+  /// The oldest bytes that were not yet taken, never none; TimedOut when none came. A deadline of 0 looks and does not
+  /// wait. Stalled and Overflow clear the halt and post the reads anew.
+  virtual UsbResult<std::vector<std::uint8_t>> nextRead(std::uint8_t endpoint, std::chrono::milliseconds deadline) = 0;
 };
 
 } // namespace straightedge::devices

@@ -25,25 +25,6 @@ struct Waker {
 
 void onEnd(libusb_transfer* transfer) { *static_cast<int*>(transfer->user_data) = 1; }
 
-void onInterrupt(libusb_transfer* transfer) {
-  auto& interrupt = *static_cast<PostedInterrupt*>(transfer->user_data);
-  interrupt.posted = false;
-  if (transfer->status == LIBUSB_TRANSFER_COMPLETED) {
-    const auto length = static_cast<std::ptrdiff_t>(transfer->actual_length);
-    interrupt.arrived.emplace_back(interrupt.buffer.begin(), interrupt.buffer.begin() + length);
-  } else if (transfer->status != LIBUSB_TRANSFER_CANCELLED) {
-    interrupt.broken = transferFault(transfer->status);
-    return;
-  }
-  if (!interrupt.closing) {
-    const int code = libusb_submit_transfer(transfer);
-    interrupt.posted = code == LIBUSB_SUCCESS;
-    if (code != LIBUSB_SUCCESS) {
-      interrupt.broken = usbFault(code);
-    }
-  }
-}
-
 } // namespace
 
 UsbResult<std::size_t> UsbHandle::Impl::run(libusb_transfer* transfer, std::chrono::milliseconds deadline,
@@ -133,68 +114,64 @@ UsbResult<std::size_t> UsbHandle::control(const UsbSetup& setup, std::span<std::
   return bytes;
 }
 
-bool UsbHandle::Impl::postInterrupt() {
-  const int code = libusb_submit_transfer(interrupt.transfer.get());
-  interrupt.posted = code == LIBUSB_SUCCESS;
-  interrupt.broken = interrupt.posted ? std::optional<UsbFault>() : usbFault(code);
-  return interrupt.posted;
+PostedReads* UsbHandle::Impl::readsOf(std::uint8_t endpoint) const {
+  const auto it = std::ranges::find_if(reads, [&](const auto& r) { return r->endpoint() == endpoint; });
+  return it == reads.end() ? nullptr : it->get();
 }
 
-void UsbHandle::Impl::cancelInterrupt() {
-  interrupt.closing = true;
-  if (!interrupt.posted) {
-    return;
-  }
-  static_cast<void>(libusb_cancel_transfer(interrupt.transfer.get()));
-  while (interrupt.posted) {
-    timeval wait{.tv_sec = 1, .tv_usec = 0};
-    static_cast<void>(libusb_handle_events_timeout_completed(context.get(), &wait, nullptr));
-  }
+bool UsbHandle::Impl::isInterrupt(std::uint8_t endpoint) const {
+  return std::ranges::any_of(interfaces, [&](const UsbInterface& interface) {
+    const auto* found = interface.find(UsbEndpointType::Interrupt, true);
+    return found != nullptr && found->address == endpoint;
+  });
 }
 
-UsbResult<void> UsbHandle::startInterrupts(std::uint8_t endpoint, std::size_t packetSize) {
-  auto& interrupt = m_impl->interrupt;
-  interrupt.transfer.reset(libusb_alloc_transfer(0));
-  if (!interrupt.transfer) {
-    return usbFailure(LIBUSB_ERROR_NO_MEM, "listening", name());
+UsbResult<void> UsbHandle::startReading(std::uint8_t endpoint, std::size_t size, std::size_t count) {
+  constexpr std::string_view doing = "listening";
+  if (m_impl->readsOf(endpoint) != nullptr) {
+    return std::unexpected(usbError(UsbFault::Unsupported, doing, name()));
   }
-  interrupt.endpoint = endpoint;
-  interrupt.buffer.resize(packetSize);
-  libusb_fill_interrupt_transfer(interrupt.transfer.get(), m_impl->handle.get(), endpoint, interrupt.buffer.data(),
-                                 static_cast<int>(packetSize), onInterrupt, &interrupt, 0);
-  if (!m_impl->postInterrupt()) {
-    return std::unexpected(usbError(*interrupt.broken, "listening", name()));
+  const auto type = static_cast<unsigned char>(m_impl->isInterrupt(endpoint) ? LIBUSB_TRANSFER_TYPE_INTERRUPT
+                                                                             : LIBUSB_TRANSFER_TYPE_BULK);
+  auto reads = std::make_unique<PostedReads>(m_impl->context.get(), m_impl->handle.get(), endpoint, type);
+  if (const auto fault = reads->start(size, count)) {
+    return std::unexpected(usbError(*fault, doing, name()));
   }
+  m_impl->reads.push_back(std::move(reads));
   return {};
 }
 
-UsbResult<std::vector<std::uint8_t>> UsbHandle::nextInterrupt(std::chrono::milliseconds deadline) {
-  auto& interrupt = m_impl->interrupt;
+UsbResult<std::vector<std::uint8_t>> UsbHandle::nextRead(std::uint8_t endpoint, std::chrono::milliseconds deadline) {
+  constexpr std::string_view doing = "receiving";
+  auto* reads = m_impl->readsOf(endpoint);
+  if (reads == nullptr) {
+    return std::unexpected(usbError(UsbFault::Unsupported, doing, name()));
+  }
   const std::stop_callback wake(m_impl->stop, Waker{m_impl->context.get()});
   const auto end = Clock::now() + std::min(deadline, longestWait);
-  for (bool looked = false; interrupt.arrived.empty(); looked = true) {
-    const auto left = end - Clock::now();
+  for (bool looked = false;; looked = true) {
+    if (looked && reads->hasArrived()) {
+      return reads->takeOldest();
+    }
     if (m_impl->stop.stop_requested()) {
-      return std::unexpected(usbError(UsbFault::Cancelled, "waiting for a notification", name()));
+      return std::unexpected(usbError(UsbFault::Cancelled, doing, name()));
     }
-    if (!interrupt.posted) {
-      const auto fault = interrupt.broken.value_or(UsbFault::Unsupported);
-      if (fault == UsbFault::Stalled || fault == UsbFault::Overflow) {
-        if (clearHalt(interrupt.endpoint)) {
-          m_impl->postInterrupt();
-        }
+    if (const auto fault = reads->broken()) {
+      if (*fault != UsbFault::Gone) {
+        reads->takeBack();
+        static_cast<void>(libusb_clear_halt(m_impl->handle.get(), endpoint)); // posting tells whether it helped
+        reads->post();
       }
-      return std::unexpected(usbError(fault, "waiting for a notification", name()));
+      return std::unexpected(usbError(*fault, doing, name()));
     }
+    const auto left = end - Clock::now();
     if (looked && left <= Clock::duration::zero()) {
-      return std::unexpected(usbError(UsbFault::TimedOut, "waiting for a notification", name()));
+      return std::unexpected(usbError(UsbFault::TimedOut, doing, name()));
     }
-    auto wait = timevalOf(left);
+    // The first look does not wait: it only lets go on what has ended meanwhile.
+    auto wait = timevalOf(looked ? left : Clock::duration::zero());
     static_cast<void>(libusb_handle_events_timeout_completed(m_impl->context.get(), &wait, nullptr));
   }
-  auto first = std::move(interrupt.arrived.front());
-  interrupt.arrived.pop_front();
-  return first;
 }
 
 } // namespace straightedge::devices

@@ -44,7 +44,7 @@ TEST(UsbBus, NothingPluggedInIsAnEmptyListAndNoError) {
 
 TEST(UsbBus, ListsDescriptorsStringsPortsAndInterfacesWithoutOpening) {
   EmulatedUsb bus;
-  bus.plug(teslameter("A1"), {.port = "3.1", .driver = "usbtmc"});
+  bus.plug(teslameter("A1"), {.port = "7.1", .driver = "usbtmc"});
   bus.plug(std::make_shared<FtdiDevice>());
   bus.plug(std::make_shared<CdcAcmDevice>());
   const auto devices = listUsbDevices();
@@ -56,7 +56,7 @@ TEST(UsbBus, ListsDescriptorsStringsPortsAndInterfacesWithoutOpening) {
   EXPECT_EQ(meter.manufacturer, "Metrolab Technology SA");
   EXPECT_EQ(meter.product, "THM1176");
   EXPECT_EQ(meter.serial, "A1");
-  EXPECT_EQ(meter.port, "1-3.1");
+  EXPECT_EQ(meter.port, "1-7.1"); // the hub itself is left out
   EXPECT_EQ(meter.name(), "USB 1bfa:0498 serial A1");
   EXPECT_EQ(meter.problem, "");
   ASSERT_THAT(meter.interfaces, SizeIs(1));

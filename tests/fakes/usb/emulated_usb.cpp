@@ -77,11 +77,36 @@ struct EmulatedUsb::Impl {
   std::string root;
   GPtr<UMockdevTestbed> testbed{umockdev_testbed_new()};
   std::vector<std::unique_ptr<Plugged>> all; // kept after unplugging: programs may still hold the node open
-  std::recursive_mutex mutex;                // never taken before a device's own lock is wanted
+  std::set<std::string> hubs;
+  unsigned nextAddress = 2;   // 1 is the root hub's
+  std::recursive_mutex mutex; // never taken before a device's own lock is wanted
 
   Plugged& at(Plug plug) {
     const std::scoped_lock lock(mutex);
     return *all.at(static_cast<std::size_t>(plug));
+  }
+
+  /// Without the hub in front of it libusb cannot tell a device's ports.
+  void addHubBefore(const std::string& port) {
+    const auto dot = port.rfind('.');
+    if (dot == std::string::npos || !hubs.insert(port.substr(0, dot)).second) {
+      return;
+    }
+    addHubBefore(port.substr(0, dot));
+    const unsigned address = nextAddress++;
+    std::string record = "P: " + hostPath + "/1-" + port.substr(0, dot) + "\nN: bus/usb/001/" + digits(address, 3) +
+                         "\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\nE: DEVNAME=/dev/bus/usb/001/" +
+                         digits(address, 3) + "\n";
+    attributeLine(record, "busnum", "1");
+    attributeLine(record, "devnum", std::to_string(address));
+    attributeLine(record, "bConfigurationValue", "1");
+    attributeLine(record, "speed", "480");
+    Bytes descriptors = {18, 1, 0, 2, 9, 0, 1, 64, 0x6B, 0x1D, 2, 0, 0, 1, 0, 0, 0, 1};
+    Bytes interface = interfaceDescriptor(0, 1, 9, 0, 0);
+    append(interface, endpointDescriptor(0x81, 3, 1));
+    append(descriptors, configurationHeader(1, interface));
+    record += "H: descriptors=" + hex(descriptors) + "\n";
+    umockdev_testbed_add_from_string(testbed.get(), record.c_str(), nullptr);
   }
 
   void takeFromSysfs(Plugged& plugged) {
@@ -116,7 +141,6 @@ EmulatedUsb::~EmulatedUsb() {
 EmulatedUsb::Plug EmulatedUsb::plug(std::shared_ptr<EmulatedDevice> device, const PlugOptions& options) {
   const std::scoped_lock lock(m_impl->mutex);
   const auto index = static_cast<Plug>(m_impl->all.size());
-  const auto address = static_cast<unsigned>(index + 2); // 1 is the root hub's
   const std::string port = options.port.empty() ? std::to_string(index + 1) : options.port;
   const auto configuration = device->configurationDescriptor();
   {
@@ -126,8 +150,10 @@ EmulatedUsb::Plug EmulatedUsb::plug(std::shared_ptr<EmulatedDevice> device, cons
     device->m_halted.clear();
   }
 
+  m_impl->addHubBefore(port);
   auto plugged = std::make_unique<Plugged>();
   Plugged* at = plugged.get();
+  const unsigned address = m_impl->nextAddress++;
   plugged->node = "/dev/bus/usb/001/" + digits(address, 3);
   plugged->sysPath = "/sys" + hostPath + "/1-" + port;
   plugged->events = options.events;

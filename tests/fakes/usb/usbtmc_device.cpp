@@ -261,9 +261,14 @@ void UsbTmcDevice::sendReply(std::size_t requested, std::optional<std::uint8_t> 
     size = std::min(size, static_cast<std::size_t>(it - m_reply.begin()) + (it == m_reply.end() ? 0U : 1U));
   }
   if (m_options.headerOnlyOnce) {
-    auto all = headerIn(m_readTag, m_reply.size(), true);
-    append(all, m_reply);
-    queueIn(in, all);
+    auto first = headerIn(m_readTag, m_reply.size(), true);
+    append(first, Bytes(m_reply.begin(), m_reply.begin() + static_cast<std::ptrdiff_t>(size)));
+    queueIn(in, first);
+    for (std::size_t from = size; from < m_reply.size(); from += size) {
+      const auto to = std::min(from + size, m_reply.size());
+      queueIn(in, Bytes(m_reply.begin() + static_cast<std::ptrdiff_t>(from),
+                        m_reply.begin() + static_cast<std::ptrdiff_t>(to)));
+    }
     m_reply.clear();
     m_replyDue = false;
     return;

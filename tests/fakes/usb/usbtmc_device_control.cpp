@@ -80,9 +80,7 @@ std::optional<Bytes> UsbTmcDevice::initiateAbortIn(const ControlSetup& setup) {
     return Bytes{notInProgress, m_readTag};
   }
   m_aborting = true;
-  dropQueued(in);
-  m_reply.clear();
-  m_replyDue = false;
+  dropQueued(in);      // an answer that is not ready yet stays due: the host has to clear before it asks anew
   queuePacket(in, {}); // the short packet that ends the transfer
   return Bytes{success, m_readTag};
 }
@@ -135,8 +133,8 @@ std::optional<Bytes> UsbTmcDevice::clearRequest(const ControlSetup& setup) {
     dropAll();
     m_neverTaking = false;
     m_clearing = true;
-    m_fault = UsbTmcFault::None;
     if (leavesBytes) {
+      m_fault = UsbTmcFault::None;
       m_pendingAnswers = 3;
       queueIn(in, Bytes(m_options.packet + 7, 'z'));
     }
