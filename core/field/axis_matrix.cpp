@@ -131,7 +131,7 @@ Result<void> solve(const Columns& fields, const Columns& values, const std::stri
     report.block.covariance.block<3, 3>(3 * axis, 3 * axis) = variance * spread;
   }
   report.block.residuals = residualsOf(residuals.reshaped(), 9);
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(report.matrix);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(report.matrix);
   const auto& singular = svd.singularValues();
   report.conditionNumber = singular[2] > 0.0 ? singular[0] / singular[2] : std::numeric_limits<double>::infinity();
   if (!report.matrix.allFinite() || !(report.conditionNumber <= largestCondition)) {

@@ -68,12 +68,12 @@ Attempt attempt(const Eigen::VectorXd& timeS, const Eigen::VectorXd& chamberC, c
 
 std::optional<LagFit> fitLag(const Eigen::VectorXd& timeS, const Eigen::VectorXd& chamberC,
                              const Eigen::VectorXd& ohm) {
-  constexpr Eigen::Index leastRows = 10;
+  constexpr Eigen::Index leastTimedRows = 10;
   constexpr int gridSteps = 24;
   constexpr int refinements = 30;
   const Eigen::Index rows = timeS.size();
   const double duration = rows > 1 ? timeS[rows - 1] - timeS[0] : 0.0;
-  if (rows < leastRows || !(duration > 0.0)) {
+  if (rows < leastTimedRows || !(duration > 0.0)) {
     return std::nullopt;
   }
   const auto sumAt = [&](double logLag) { return attempt(timeS, chamberC, ohm, std::exp(logLag)).sum; };
