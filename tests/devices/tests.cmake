@@ -22,12 +22,14 @@ straightedge_add_test(NAME devices_serial
   LIBRARIES straightedge::devices
   LABELS devices)
 
+find_package(nlohmann_json 3.11 REQUIRED)
 straightedge_add_test(NAME devices_instruments
   SOURCES devices/instruments/field_drivers_test.cpp
     devices/instruments/line_parser_test.cpp
     devices/instruments/meter_drivers_test.cpp
+    devices/instruments/profile_test.cpp
     devices/instruments/qsb_test.cpp
-  LIBRARIES straightedge::devices
+  LIBRARIES straightedge::devices nlohmann_json::nlohmann_json
   LABELS devices)
 
 include(app/cli/capture.cmake)
