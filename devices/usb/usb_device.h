@@ -26,8 +26,8 @@ struct UsbInterface {
   std::uint8_t classCode = 0;
   std::uint8_t subclass = 0;
   std::uint8_t protocol = 0;
-  std::string driver; ///< the kernel's driver; "usbfs" while a program holds it; empty when free
-  std::vector<UsbEndpoint> endpoints;
+  std::string driver = {}; ///< the kernel's driver; "usbfs" while a program holds it; empty when free
+  std::vector<UsbEndpoint> endpoints = {};
   friend bool operator==(const UsbInterface&, const UsbInterface&) = default;
 
   /// The first one of this type and direction, or null.
@@ -39,15 +39,15 @@ struct UsbDevice {
   std::uint16_t productId = 0;
   std::uint16_t release = 0; ///< bcdDevice
   std::uint8_t deviceClass = 0;
-  std::string manufacturer; ///< strings of the device; empty where it has none or they cannot be read
-  std::string product;
-  std::string serial;
+  std::string manufacturer = {}; ///< strings of the device; empty where it has none or they cannot be read
+  std::string product = {};
+  std::string serial = {};
   std::uint8_t bus = 0;
   std::uint8_t address = 0; ///< changes every time the device is plugged in
-  std::string port;         ///< "1-4.2": bus and ports, the same whenever it is plugged in there
-  std::vector<UsbInterface> interfaces;
-  std::string problem; ///< why it cannot be opened, empty if nothing is known to be in the way
-  std::string remedy;  ///< what mends it
+  std::string port = {};    ///< "1-4.2": bus and ports, the same whenever it is plugged in there
+  std::vector<UsbInterface> interfaces = {};
+  std::string problem = {}; ///< why it cannot be opened, empty if nothing is known to be in the way
+  std::string remedy = {};  ///< what mends it
   friend bool operator==(const UsbDevice&, const UsbDevice&) = default;
 
   std::string label() const; ///< "1bfa:0498 serial 0123", or "1bfa:0498 at 1-4.2" without one
