@@ -2,8 +2,11 @@
 
 #include "app/cli/messages.h"
 #include "app/cli/options.h"
+#include "core/base/file_bytes.h"
 #include "core/base/file_output.h"
 #include "core/export/calibration_json.h"
+#include "core/export/field_calibration_json.h"
+#include "core/export/field_tables.h"
 #include "core/export/tables.h"
 
 #include <memory>
@@ -31,11 +34,32 @@ Result<void> writeTables(const angle::AngleCalibration& calibration, const std::
   return {};
 }
 
-Result<int> exportCalibration(const ExportOptions& options) {
-  auto calibration = exporting::readCalibration(options.calibration);
-  if (!calibration) {
-    return std::unexpected(calibration.error());
+/// One table where one file is meant, a folder with a table per block otherwise.
+Result<int> exportField(const field::FieldCalibration& calibration, const ExportOptions& options) {
+  if (!options.model.empty()) {
+    return fail(ErrorKind::Usage, "a field calibration has no models", "leave out --model", options.calibration);
   }
+  Result<void> written;
+  if (options.format == "json") {
+    written = writeFileWhole(options.out, exporting::fieldCalibrationToJson(calibration));
+  } else if (options.out == "-" || options.out.ends_with(".csv")) {
+    written = writeFileWhole(options.out, exporting::fieldCoefficientsCsv(calibration));
+  } else {
+    written = makeFolder(options.out);
+    for (const exporting::NamedTable& table : exporting::fieldBlockTables(calibration)) {
+      if (written) {
+        written = writeFileWhole(options.out + "/" + table.fileName, table.text);
+      }
+    }
+  }
+  if (!written) {
+    return std::unexpected(written.error());
+  }
+  return 0;
+}
+
+Result<int> exportAngle(angle::AngleCalibration angleCalibration, const ExportOptions& options) {
+  auto* const calibration = &angleCalibration;
   if (!options.model.empty()) {
     const auto model = exporting::findModel(*calibration, options.model, options.calibration);
     if (!model) {
@@ -63,6 +87,20 @@ Result<int> exportCalibration(const ExportOptions& options) {
   return 0;
 }
 
+Result<int> exportCalibration(const ExportOptions& options) {
+  const auto bytes = readFileBytes(options.calibration);
+  if (!bytes) {
+    return std::unexpected(bytes.error());
+  }
+  const std::string name = inputName(options.calibration);
+  if (exporting::isFieldCalibration(*bytes)) {
+    const auto calibration = exporting::fieldCalibrationFromJson(*bytes, name);
+    return calibration ? exportField(*calibration, options) : std::unexpected(calibration.error());
+  }
+  auto calibration = exporting::calibrationFromJson(*bytes, name);
+  return calibration ? exportAngle(*std::move(calibration), options) : std::unexpected(calibration.error());
+}
+
 } // namespace
 
 void addExportCommand(CLI::App& parent, Work& work) {
@@ -75,7 +113,8 @@ void addExportCommand(CLI::App& parent, Work& work) {
       ->type_name("csv|json")
       ->required();
   command
-      ->add_option("--out", options->out, "File, - for standard output; for the CSV tables of several models a folder")
+      ->add_option("--out", options->out,
+                   "File, - for standard output; a folder for the CSV tables of several models or blocks")
       ->type_name("PATH")
       ->required();
   command->callback([options, &work] { work = [options] { return exportCalibration(*options); }; });

@@ -28,7 +28,8 @@ std::string range(const std::string& least, const std::string& most) { return "f
 
 } // namespace
 
-void addTraceabilityOptions(CLI::App& command, TraceabilityOptions& options, bool withSerial) {
+void addTraceabilityOptions(CLI::App& command, TraceabilityOptions& options, bool withSerial,
+                            const char* referenceUnit) {
   const char* group = "Traceability";
   if (withSerial) {
     command.add_option("--serial", options.serial, "Serial number of the sensor")->type_name("TEXT")->group(group);
@@ -38,11 +39,12 @@ void addTraceabilityOptions(CLI::App& command, TraceabilityOptions& options, boo
   };
   add("--device-model", options.deviceModel, "TEXT", "Model of the sensor");
   add("--operator", options.operatorName, "TEXT", "Who measured");
-  add("--reference-model", options.referenceModel, "TEXT", "Model of the reference encoder");
+  add("--reference-model", options.referenceModel, "TEXT", "Model of the reference");
   add("--reference-serial", options.referenceSerial, "TEXT", "Its serial number");
   add("--reference-certificate", options.referenceCertificate, "TEXT", "Its calibration certificate");
   add("--reference-due", options.referenceDue, "YYYY-MM-DD", "When its own calibration falls due");
-  add("--reference-uncertainty", options.referenceUncertainty, "DEG", "Its stated expanded uncertainty (k = 2)");
+  add("--reference-uncertainty", options.referenceUncertainty, referenceUnit,
+      "Its stated expanded uncertainty (k = 2)");
   add("--ambient", options.ambient, "CELSIUS", "Ambient temperature");
 }
 

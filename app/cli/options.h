@@ -19,8 +19,9 @@ struct TraceabilityOptions {
   std::string referenceModel, referenceSerial, referenceCertificate, referenceDue, referenceUncertainty;
   std::string ambient;
 };
-/// `withSerial`: one device (fit); otherwise many (batch).
-void addTraceabilityOptions(CLI::App& command, TraceabilityOptions& options, bool withSerial);
+/// `withSerial`: one device (fit); otherwise many (batch). `referenceUnit`: of the reference's uncertainty.
+void addTraceabilityOptions(CLI::App& command, TraceabilityOptions& options, bool withSerial,
+                            const char* referenceUnit = "DEG");
 /// Errors (Usage): a number or a date that is none.
 Result<Traceability> traceabilityFrom(const TraceabilityOptions& options);
 

@@ -12,8 +12,12 @@ namespace straightedge::exporting {
 /// The file's text. Numbers are written with the digits that read back to the same double. Beside the published keys
 /// it holds how the calibration was made: `method`, `nonlinearity_order`, `order_explanation`, `blocks`, `probe`,
 /// `verification_stages` (the states between uncalibrated and calibrated, and after the axis matrix), cross-validated
-/// errors beside `nonlinearity_orders`, percent of reading beside `verification`, `axis_angles_deg`, and `warnings`.
+/// errors beside `nonlinearity_orders`, `joint_fit` and `verification_stepwise` of a joint fit, percent of reading
+/// beside `verification`, `axis_angles_deg`, and `warnings`.
 std::string fieldCalibrationToJson(const field::FieldCalibration& calibration);
+
+/// Does this text say that it is a calibration of kind field? False for anything else, JSON or not.
+bool isFieldCalibration(std::string_view text);
 
 /// Reads what fieldCalibrationToJson() wrote, and files of others that hold the published keys; unknown keys are passed
 /// over, blocks that are null or absent are off.

@@ -177,6 +177,8 @@ void readHowMade(JsonReader& reader, const JsonNode& root, FieldCalibration& cal
   if (root.optional("method")) {
     calibration.method = readWord(reader, root, "method", methodWords);
   }
+  calibration.jointHow = textIfAny(reader, root, "joint_fit");
+  readVerification(reader, listIfAny(reader, root, "verification_stepwise"), calibration.stepwiseVerification);
   if (root.optional("nonlinearity_order")) {
     calibration.order = static_cast<int>(reader.integer(root, "nonlinearity_order", 1, mostCoefficients));
   }
@@ -205,6 +207,15 @@ void readHowMade(JsonReader& reader, const JsonNode& root, FieldCalibration& cal
 }
 
 } // namespace
+
+bool isFieldCalibration(std::string_view text) {
+  const auto parsed = parseJson(text, {});
+  if (!parsed || !parsed->is_object()) {
+    return false;
+  }
+  const auto kind = parsed->find("kind");
+  return kind != parsed->end() && *kind == "field";
+}
 
 Result<FieldCalibration> fieldCalibrationFromJson(std::string_view text, const std::string& name) {
   const auto parsed = parseJson(text, name, fieldFitAgain);

@@ -114,11 +114,12 @@ bool isPublished(VerifiedState state) {
   return state == VerifiedState::Uncalibrated || state == VerifiedState::Calibrated;
 }
 
+/// `published`: only the states that have a place under "verification", or only the others; all without.
 void writeVerification(JsonWriter& json, std::string_view name, const std::vector<VerificationRow>& rows,
-                       bool published) {
+                       std::optional<bool> published) {
   json.openList(name);
   for (const VerificationRow& row : rows) {
-    if (isPublished(row.state) != published) {
+    if (published && isPublished(row.state) != *published) {
       continue;
     }
     json.beginObject(true);
@@ -161,6 +162,10 @@ void writeBlocks(JsonWriter& json, const std::vector<BlockSummary>& blocks) {
 
 void writeHowMade(JsonWriter& json, const FieldCalibration& calibration) {
   json.member("method", methodWords[static_cast<std::size_t>(calibration.method)].second);
+  if (calibration.method == FitMethod::Joint) {
+    json.member("joint_fit", calibration.jointHow);
+    writeVerification(json, "verification_stepwise", calibration.stepwiseVerification, std::nullopt);
+  }
   json.member("nonlinearity_order", calibration.order);
   json.openObject("order_explanation");
   for (const Axis axis : allAxes) {

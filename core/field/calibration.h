@@ -139,7 +139,9 @@ struct FieldCalibration {
   std::vector<VerificationRow> verification; ///< empty where the campaign has no verification rows
   // How it was made
   FitMethod method = FitMethod::Stepwise;
-  int order = 5; ///< of the nonlinearity
+  std::string jointHow;                              ///< of a joint fit: one sentence
+  std::vector<VerificationRow> stepwiseVerification; ///< of a joint fit: what the fit it started from had left
+  int order = 5;                                     ///< of the nonlinearity
   std::array<std::string, 3> orderExplanation;
   std::vector<BlockSummary> blocks;
   std::optional<ProbeQuality> probe;

@@ -237,7 +237,13 @@ Result<void> refineJointly(FieldRun& run, const std::string& name) {
   }
   const CorrectionChain stepwise = std::exchange(run.result.chain, report->chain);
   run.result.method = FitMethod::Joint;
+  run.result.jointHow = report->how;
+  if (!report->converged()) {
+    run.result.warnings.push_back({Block::Nonlinearity, "The joint fit stopped before it had converged: compare its "
+                                                        "verification with that of the fit step by step."});
+  }
   run.joint.emplace(FieldRun::Joint{*std::move(report), stepwise, verifyChain(stepwise, run.parts)});
+  run.result.stepwiseVerification = run.joint->stepwiseVerification.rows;
   return {};
 }
 
