@@ -8,7 +8,7 @@ namespace straightedge::devices {
 
 namespace {
 
-constexpr std::chrono::milliseconds requestTime(1000);
+constexpr std::chrono::milliseconds requestTime(5000);
 constexpr std::uint8_t communicationsClass = 0x02;
 constexpr std::uint8_t abstractControl = 0x02;
 constexpr std::uint8_t dataClass = 0x0A;

@@ -11,7 +11,7 @@ namespace straightedge::devices {
 
 namespace {
 
-constexpr std::chrono::milliseconds requestTime(1000);
+constexpr std::chrono::milliseconds requestTime(5000);
 constexpr std::uint16_t ftdiVendor = 0x0403;
 constexpr std::uint8_t toDevice = 0x40; ///< vendor, device, from the computer
 constexpr std::size_t statusBytes = 2;  ///< before the data of every packet

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t postedReads = 16;
 constexpr std::size_t packetsPerRead = 16;
 
-constexpr Milliseconds emptyingTime(200);
+constexpr Milliseconds emptyingTime(2000);
 
 std::unique_ptr<UsbSerialChip> chipOf(const UsbDevice& device) {
   auto chip = ftdiChip(device);

@@ -8,8 +8,8 @@ namespace straightedge::devices {
 
 namespace {
 
-constexpr Milliseconds recoveryTime(1000); ///< for a whole abort or clear
-constexpr Milliseconds drainTime(200);     ///< for a packet that the device should have ready
+/// For a packet that the device should have ready.
+Milliseconds drainTime(Milliseconds recoveryTime) { return recoveryTime / 5; }
 
 } // namespace
 
@@ -24,9 +24,10 @@ UsbResult<std::size_t> UsbTmcTransport::ask(std::uint8_t to, usbtmc::Request req
 void UsbTmcTransport::drainIn() {
   const std::size_t packet = std::max<std::size_t>(1, m_channel.in.packetSize);
   m_in.resize(std::max(m_in.size(), packet));
-  const Deadline deadline(recoveryTime);
+  const Deadline deadline(m_options.recoveryTime);
   while (deadline.left() > Milliseconds(0)) {
-    const auto bytes = m_pipe->bulkIn(m_channel.in.address, m_in, std::min(drainTime, deadline.left()));
+    const auto bytes =
+        m_pipe->bulkIn(m_channel.in.address, m_in, std::min(drainTime(m_options.recoveryTime), deadline.left()));
     if (!bytes && (bytes.error().fault == UsbFault::Stalled || bytes.error().fault == UsbFault::Overflow)) {
       static_cast<void>(m_pipe->clearHalt(m_channel.in.address)); // the next read tells whether it helped
       return;
@@ -38,7 +39,7 @@ void UsbTmcTransport::drainIn() {
 }
 
 void UsbTmcTransport::awaitEndOfAbort(usbtmc::Request check, std::uint8_t endpoint) {
-  const Deadline deadline(recoveryTime);
+  const Deadline deadline(m_options.recoveryTime);
   while (deadline.left() > Milliseconds(0)) {
     std::array<std::uint8_t, 8> status{};
     const auto size = ask(usbtmc::toEndpoint, check, 0, endpoint, status, deadline.left());
@@ -56,7 +57,8 @@ void UsbTmcTransport::awaitEndOfAbort(usbtmc::Request check, std::uint8_t endpoi
 void UsbTmcTransport::abortIn(std::uint8_t tag) {
   const auto endpoint = m_channel.in.address;
   std::array<std::uint8_t, 2> status{};
-  const auto size = ask(usbtmc::toEndpoint, usbtmc::Request::InitiateAbortBulkIn, tag, endpoint, status, recoveryTime);
+  const auto size =
+      ask(usbtmc::toEndpoint, usbtmc::Request::InitiateAbortBulkIn, tag, endpoint, status, m_options.recoveryTime);
   // 0x80: nothing is under way. 0x81: another tag is; TinyUSB says so of every tag above 127. The clear before the next
   // message settles both.
   if (!size || *size == 0 || status[0] != usbtmc::statusSuccess) {
@@ -69,7 +71,8 @@ void UsbTmcTransport::abortIn(std::uint8_t tag) {
 void UsbTmcTransport::abortOut(std::uint8_t tag) {
   const auto endpoint = m_channel.out.address;
   std::array<std::uint8_t, 2> status{};
-  const auto size = ask(usbtmc::toEndpoint, usbtmc::Request::InitiateAbortBulkOut, tag, endpoint, status, recoveryTime);
+  const auto size =
+      ask(usbtmc::toEndpoint, usbtmc::Request::InitiateAbortBulkOut, tag, endpoint, status, m_options.recoveryTime);
   if (size && *size > 0 && status[0] == usbtmc::statusSuccess) {
     awaitEndOfAbort(usbtmc::Request::CheckAbortBulkOutStatus, endpoint);
   }
@@ -87,19 +90,19 @@ TransportResult<void> UsbTmcTransport::clear() {
 
 TransportResult<void> UsbTmcTransport::clearByRequest() {
   std::array<std::uint8_t, 1> begun{};
-  auto size =
-      ask(usbtmc::toInterface, usbtmc::Request::InitiateClear, 0, m_channel.interfaceNumber, begun, recoveryTime);
+  auto size = ask(usbtmc::toInterface, usbtmc::Request::InitiateClear, 0, m_channel.interfaceNumber, begun,
+                  m_options.recoveryTime);
   if (!size) {
     return failed(std::move(size.error()));
   }
   if (*size == 0 || begun[0] != usbtmc::statusSuccess) {
     return misused("the device refused to be cleared", "switch it off and on");
   }
-  const Deadline deadline(recoveryTime);
+  const Deadline deadline(m_options.recoveryTime);
   while (true) {
     std::array<std::uint8_t, 2> status{};
-    size =
-        ask(usbtmc::toInterface, usbtmc::Request::CheckClearStatus, 0, m_channel.interfaceNumber, status, recoveryTime);
+    size = ask(usbtmc::toInterface, usbtmc::Request::CheckClearStatus, 0, m_channel.interfaceNumber, status,
+               m_options.recoveryTime);
     if (!size) {
       return failed(std::move(size.error()));
     }
@@ -126,7 +129,7 @@ TransportResult<void> UsbTmcTransport::clearByRequest() {
 }
 
 void UsbTmcTransport::clearByReading() {
-  const Deadline deadline(recoveryTime);
+  const Deadline deadline(m_options.recoveryTime);
   while (!m_unansweredQuery.empty() && !m_ended && receivePart(nullptr, deadline)) {
     m_received.clear();
   }

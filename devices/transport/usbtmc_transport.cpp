@@ -8,7 +8,7 @@ namespace straightedge::devices {
 
 namespace {
 
-constexpr Milliseconds startTime(2000); ///< for each request while starting
+constexpr Milliseconds startTime(5000); ///< for each request while starting
 
 /// IEEE 488.2: a query has a question mark in its header; one inside a quoted text is data.
 bool isQuery(std::string_view message) {

@@ -24,13 +24,14 @@ struct UsbTmcChannel {
 struct UsbTmcOptions {
   std::uint32_t requestSize = 65536; ///< bytes to ask for at a time; a longer reply comes in several transfers
   std::uint32_t messageSize = 65536; ///< bytes to send at a time
+  Milliseconds recoveryTime = Milliseconds(1000); ///< for a whole abort or clear
   UsbTmcQuirks quirks = {};
 };
 
 /// A message that was refused, timed out or came back damaged leaves the device ready for the next one: transfers are
-/// aborted and halts cleared before the error is returned, which may take up to a second beyond the deadline. Where an
-/// old answer may still be on its way, the next write() clears the device first, so that it is never taken for the new
-/// one.
+/// aborted and halts cleared before the error is returned, which may take up to `recoveryTime` each beyond the
+/// deadline. Where an old answer may still be on its way, the next write() clears the device first, so that it is never
+/// taken for the new one.
 class UsbTmcTransport final : public Transport {
 public:
   /// The first USBTMC interface of the device, or null if it has none.

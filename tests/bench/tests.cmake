@@ -27,6 +27,9 @@ if(STRAIGHTEDGE_BENCHMARKS)
   straightedge_add_bench(NAME bench_capture_session
     SOURCES bench/capture_session_bench.cpp
     LIBRARIES straightedge::core straightedge::devices)
+  straightedge_add_bench(NAME bench_usbtmc_query # with LD_PRELOAD=libumockdev-preload.so.0
+    SOURCES bench/usbtmc_query_bench.cpp
+    LIBRARIES straightedge::devices emulated_usb)
   if(STRAIGHTEDGE_GUI)
     straightedge_add_bench(NAME bench_plots # with QT_QPA_PLATFORM=offscreen
       SOURCES bench/plots/plot_bench.cpp

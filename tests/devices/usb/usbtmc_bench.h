@@ -23,6 +23,7 @@ protected:
   }
 
   void open(UsbTmcOptions options = {}) {
+    options.recoveryTime = generous; // a busy machine must not make a recovery fail
     const auto found = listUsbDevices();
     ASSERT_TRUE(found);
     ASSERT_EQ(found->size(), 1U);
