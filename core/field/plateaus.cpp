@@ -123,7 +123,7 @@ AxisPlateaus findPlateaus(const StepRows& rows, double fullScaleT) {
     std::string reason;
     if (run.rows < fewRows && typicalRows > static_cast<double>(fewRows)) {
       reason = "only " + std::to_string(run.rows) + (run.rows == 1 ? " row" : " rows") + " where the others have " +
-               formatForPeople(typicalRows, 2);
+               formatForPeople(typicalRows, 1);
     } else if (isUnsettled(run.referenceSigmaT, typicalReference)) {
       reason = "the reference is unsettled: it scatters by " + milliTesla(run.referenceSigmaT) +
                ", in the other plateaus by " + milliTesla(typicalReference);

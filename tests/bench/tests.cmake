@@ -14,6 +14,10 @@ if(STRAIGHTEDGE_BENCHMARKS)
     SOURCES bench/angle_models_bench.cpp
     LIBRARIES straightedge::core)
 
+  straightedge_add_bench(NAME bench_field_fit
+    SOURCES bench/field_fit_bench.cpp
+    LIBRARIES straightedge::core)
+
   straightedge_add_bench(NAME bench_apply
     SOURCES bench/apply_bench.cpp bench/readings.cpp
     LIBRARIES straightedge::cli_commands)

@@ -6,6 +6,12 @@ straightedge_add_test(NAME cli
   LABELS cli)
 add_dependencies(cli straightedge-cli)
 
+straightedge_add_test(NAME cli_field
+  SOURCES app/cli/child_process.cpp app/cli/field_command_test.cpp
+  LIBRARIES straightedge::core nlohmann_json::nlohmann_json
+  LABELS cli)
+add_dependencies(cli_field straightedge-cli)
+
 straightedge_add_test(NAME cli_threads
   SOURCES app/cli/parallel_work_test.cpp
   LIBRARIES straightedge::cli_commands

@@ -5,7 +5,8 @@ straightedge_add_test(NAME core_field_chain
   LABELS core)
 
 straightedge_add_test(NAME core_field_blocks
-  SOURCES core/field/block_figures_test.cpp core/field/field_fit_test.cpp
+  SOURCES core/field/block_figures_test.cpp core/field/campaign_csv_test.cpp core/field/field_fit_test.cpp
+    core/field/field_refusals_test.cpp
   LIBRARIES straightedge::core
   LABELS core)
 
