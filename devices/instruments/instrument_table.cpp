@@ -8,21 +8,12 @@
 #include "devices/instruments/thm1176.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 namespace straightedge::devices {
 
 namespace {
 
 using Role = InstrumentRole;
-
-constexpr std::array<std::pair<Role, std::string_view>, 6> roleWords = {{{Role::AngleSensor, "angle-sensor"},
-                                                                         {Role::AngleReference, "angle-reference"},
-                                                                         {Role::FieldProbe, "field-probe"},
-                                                                         {Role::FieldReference, "field-reference"},
-                                                                         {Role::Resistance, "resistance"},
-                                                                         {Role::Temperature, "temperature"}}};
 
 std::vector<KnownInstrument> makeTable() {
   return {
@@ -91,15 +82,6 @@ std::vector<KnownInstrument> makeTable() {
 }
 
 } // namespace
-
-std::string_view roleWord(InstrumentRole role) {
-  return std::ranges::find(roleWords, role, &std::pair<Role, std::string_view>::first)->second;
-}
-
-std::optional<InstrumentRole> roleFromWord(std::string_view word) {
-  const auto found = std::ranges::find(roleWords, word, &std::pair<Role, std::string_view>::second);
-  return found == roleWords.end() ? std::nullopt : std::optional(found->first);
-}
 
 std::span<const KnownInstrument> knownInstruments() {
   static const std::vector<KnownInstrument> table = makeTable();

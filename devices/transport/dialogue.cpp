@@ -123,7 +123,9 @@ std::optional<DialogueEntry> parseEntry(std::string_view line) {
     return entry;
   }
   auto bytes = unescaped(line);
-  if (!bytes || (entry.mark == DialogueMark::Status && bytes->size() != 1)) {
+  const bool wrongLength = bytes && ((entry.mark == DialogueMark::Status && bytes->size() != 1) ||
+                                     (entry.mark == DialogueMark::Cleared && !bytes->empty()));
+  if (!bytes || wrongLength) {
     return std::nullopt;
   }
   entry.bytes = *std::move(bytes);
