@@ -15,3 +15,9 @@ straightedge_add_test(NAME core_field_joint
   SOURCES core/field/joint_fit_test.cpp
   LIBRARIES straightedge::core
   LABELS core)
+
+# a campaign out of a session; the simulated teslameter makes it
+straightedge_add_test(NAME core_field_session
+  SOURCES core/field/session_campaign_test.cpp
+  LIBRARIES straightedge::devices
+  LABELS core)
