@@ -27,20 +27,11 @@ Result<void> checkBench(const AngleBench& bench, const AnglePlan& plan) {
 struct AngleCapture::Impl {
   Impl(AngleBench givenBench, session::SampleSink& givenSink) : bench(std::move(givenBench)), sink(givenSink) {}
 
-  bool running() const {
-    const std::scoped_lock lock(shared.mutex);
-    return shared.progress.state == CaptureState::Running || shared.progress.state == CaptureState::Paused;
-  }
   void startThread() {
     if (thread.joinable()) {
-      thread.join(); // has ended: running() was false
+      thread.join(); // has ended: it was not running
     }
-    {
-      const std::scoped_lock lock(shared.mutex);
-      shared.progress.state = CaptureState::Running;
-      shared.progress.error.reset();
-      shared.pauseRequested = false;
-    }
+    shared.begin();
     thread = std::jthread([this](const std::stop_token& stop) { worker->run(stop); });
   }
 
@@ -57,7 +48,7 @@ AngleCapture::AngleCapture(AngleBench bench, session::SampleSink& sink)
 AngleCapture::~AngleCapture() = default;
 
 Result<void> AngleCapture::start(const AnglePlan& plan, const std::vector<session::AngleSample>& already) {
-  if (m_impl->running()) {
+  if (m_impl->shared.running()) {
     return fail(ErrorKind::Usage, "a capture is running", "stop it first", m_impl->bench.name);
   }
   if (auto checked = checkBench(m_impl->bench, plan); !checked) {
@@ -81,52 +72,18 @@ Result<void> AngleCapture::start(const AnglePlan& plan, const std::vector<sessio
   return {};
 }
 
-void AngleCapture::pause() {
-  const std::scoped_lock lock(m_impl->shared.mutex);
-  m_impl->shared.pauseRequested = true;
-}
-
-void AngleCapture::resume() {
-  const std::scoped_lock lock(m_impl->shared.mutex);
-  m_impl->shared.pauseRequested = false;
-  if (m_impl->shared.progress.state == CaptureState::Paused) { // at once: whoever waits now waits for what follows
-    m_impl->shared.progress.state = CaptureState::Running;
-    m_impl->shared.progress.error.reset();
-  }
-  m_impl->shared.changed.notify_all();
-}
-
+void AngleCapture::pause() { m_impl->shared.pause(); }
+void AngleCapture::resume() { m_impl->shared.resume(); }
 void AngleCapture::stop() { m_impl->thread.request_stop(); }
 
 void AngleCapture::redo(int pointIndex) {
-  {
-    const std::scoped_lock lock(m_impl->shared.mutex);
-    m_impl->shared.redoRequests.push_back(pointIndex);
-  }
-  const CaptureState state = progress().state;
-  if (state == CaptureState::Finished && m_impl->worker) {
+  m_impl->shared.requestRedo(pointIndex);
+  if (progress().state == CaptureState::Finished && m_impl->worker) {
     m_impl->startThread();
   }
 }
 
-void AngleCapture::waitUntilDone() {
-  {
-    std::unique_lock lock(m_impl->shared.mutex);
-    const CaptureProgress& now = m_impl->shared.progress;
-    const auto pausedByFault = [this, &now] {
-      return now.state == CaptureState::Paused && now.error && !m_impl->thread.get_stop_token().stop_requested();
-    };
-    m_impl->shared.changed.wait(lock, [&] {
-      return (now.state != CaptureState::Running && now.state != CaptureState::Paused) || pausedByFault();
-    });
-    if (pausedByFault()) {
-      return;
-    }
-  }
-  if (m_impl->thread.joinable()) {
-    m_impl->thread.join();
-  }
-}
+void AngleCapture::waitUntilDone() { m_impl->shared.waitUntilDone(m_impl->thread); }
 
 CaptureProgress AngleCapture::progress() const {
   const std::scoped_lock lock(m_impl->shared.mutex);

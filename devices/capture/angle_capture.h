@@ -4,28 +4,13 @@
 
 #include "core/session/sample_sink.h"
 #include "devices/capture/angle_plan.h"
+#include "devices/capture/capture_control.h"
 #include "devices/instruments/angle_instruments.h"
 
-#include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace straightedge::devices {
-
-enum class CaptureState : std::uint8_t { Idle, Running, Paused, Finished, Stopped, Failed };
-
-/// A snapshot for progress displays; cheap to copy.
-struct CaptureProgress {
-  CaptureState state = CaptureState::Idle;
-  int pointsDone = 0;
-  int pointsPlanned = 0;
-  std::int64_t samples = 0;
-  std::int64_t samplesLost = 0; ///< dropped from the live display only; the sink has them all
-  double elapsedS = 0.0;
-  std::optional<double> remainingS; ///< known after the first points
-  std::optional<Error> error;       ///< state Failed or Paused by a fault
-};
 
 /// Owns the capture thread. All members may be called from one controlling thread (the GUI's or main's).
 /// The bench and the sink must outlive the capture.

@@ -11,89 +11,16 @@ namespace {
 /// The shaft comes to a point from so far away, always in the point's direction, so that play and hysteresis are those
 /// of that direction.
 constexpr double takeUpDeg = 5.0;
-/// Longest time without a look at pause, stop and uncommitted samples.
-constexpr double lookAroundS = 0.02;
-/// Samples older than this are committed; the promise is 0.5 s.
-constexpr auto commitAfter = std::chrono::milliseconds(250);
 /// A shaft turned by hand counts as still while it moves less than this between two looks.
 constexpr double handStillDeg = 0.02;
 
 } // namespace
 
 CaptureWorker::CaptureWorker(AngleBench bench, session::SampleSink& sink, CaptureCourse course, CaptureShared& shared)
-    : m_bench(std::move(bench)), m_sink(sink), m_course(std::move(course)), m_shared(shared),
-      m_doneAtStart(m_course.done()) {}
+    : CaptureLoop(*bench.clock, shared), m_bench(std::move(bench)), m_sink(sink), m_course(std::move(course)),
+      m_shared(shared), m_doneAtStart(m_course.done()) {}
 
-template <typename T>
-CaptureWorker::Step<T> CaptureWorker::fromInstrument(Result<T> outcome, const char* who) {
-  if (outcome) {
-    return *std::move(outcome);
-  }
-  Error error = std::move(outcome.error());
-  if (error.where.empty()) {
-    error.where = who;
-  }
-  return std::unexpected(Interruption{.fault = std::move(error)});
-}
-
-template <>
-CaptureWorker::Step<void> CaptureWorker::fromInstrument(Result<void> outcome, const char* who) {
-  if (outcome) {
-    return {};
-  }
-  return std::unexpected(fromInstrument<int>(std::unexpected(std::move(outcome.error())), who).error());
-}
-
-CaptureWorker::Step<void> CaptureWorker::fromSink(Result<void> outcome) {
-  if (outcome) {
-    return {};
-  }
-  return std::unexpected(Interruption{.fault = std::move(outcome.error()), .ofStorage = true});
-}
-
-void CaptureWorker::run(const std::stop_token& stop) {
-  m_stop = stop;
-  begin();
-  for (;;) {
-    takeRedoRequests();
-    Step<void> outcome = checkInterruption();
-    if (outcome && !m_course.next()) {
-      outcome = commit();
-      if (outcome && finish()) {
-        return;
-      }
-    } else if (outcome) {
-      outcome = m_course.plan().sampleRateHz > 0.0 ? measureRun(*m_course.nextRun()) : measurePoint(*m_course.next());
-    }
-    if (outcome) {
-      continue;
-    }
-    Interruption why = std::move(outcome.error());
-    if (!why.ofStorage) {
-      m_standsAtDeg.reset(); // whoever pauses may turn the shaft
-      if (auto committed = commit(); !committed) {
-        why = std::move(committed.error());
-      }
-    }
-    if (why.ofStorage) {
-      end(CaptureState::Failed, std::move(why.fault));
-      return;
-    }
-    if (!rest(stop, std::move(why.fault))) {
-      end(CaptureState::Stopped);
-      return;
-    }
-  }
-}
-
-void CaptureWorker::begin() {
-  if (!m_startS) {
-    m_startS = m_bench.clock->nowS();
-  }
-  publishProgress();
-}
-
-void CaptureWorker::takeRedoRequests() {
+void CaptureWorker::takeRequests() {
   const std::scoped_lock lock(m_shared.mutex);
   for (const int index : m_shared.redoRequests) {
     m_course.redo(index);
@@ -101,43 +28,8 @@ void CaptureWorker::takeRedoRequests() {
   m_shared.redoRequests.clear();
 }
 
-bool CaptureWorker::finish() {
-  publishProgress();
-  const std::scoped_lock lock(m_shared.mutex);
-  if (!m_shared.redoRequests.empty()) {
-    return false; // asked for while the last samples were committed
-  }
-  m_shared.progress.state = CaptureState::Finished;
-  m_shared.changed.notify_all();
-  return true;
-}
-
-bool CaptureWorker::rest(const std::stop_token& stop, std::optional<Error> fault) {
-  if (stop.stop_requested()) {
-    return false;
-  }
-  publishProgress();
-  std::unique_lock lock(m_shared.mutex);
-  if (fault) {
-    m_shared.pauseRequested = true; // until somebody asks to go on
-  }
-  m_shared.progress.state = CaptureState::Paused;
-  m_shared.progress.error = std::move(fault);
-  m_shared.changed.notify_all();
-  if (!m_shared.changed.wait(lock, stop, [this] { return !m_shared.pauseRequested; })) {
-    return false;
-  }
-  m_shared.progress.state = CaptureState::Running;
-  m_shared.progress.error.reset();
-  return true;
-}
-
-void CaptureWorker::end(CaptureState state, std::optional<Error> fault) {
-  publishProgress();
-  const std::scoped_lock lock(m_shared.mutex);
-  m_shared.progress.state = state;
-  m_shared.progress.error = std::move(fault);
-  m_shared.changed.notify_all();
+CaptureWorker::Step<void> CaptureWorker::measureNext() {
+  return m_course.plan().sampleRateHz > 0.0 ? measureRun(*m_course.nextRun()) : measurePoint(*m_course.next());
 }
 
 CaptureWorker::Step<void> CaptureWorker::measurePoint(int index) {
@@ -345,29 +237,6 @@ CaptureWorker::Step<void> CaptureWorker::waitForHand(const PlannedPoint& point) 
   }
 }
 
-CaptureWorker::Step<void> CaptureWorker::wait(double seconds) {
-  double left = seconds;
-  do {
-    if (auto free = checkInterruption(); !free) {
-      return free;
-    }
-    const double now = std::min(left, lookAroundS);
-    m_bench.clock->sleepS(now);
-    left -= now;
-    if (auto committed = commitIfDue(); !committed) {
-      return committed;
-    }
-  } while (left > 0.0);
-  return {};
-}
-
-CaptureWorker::Step<void> CaptureWorker::checkInterruption() const {
-  if (m_stop.stop_requested() || m_shared.pauseRequested) {
-    return std::unexpected(Interruption{});
-  }
-  return {};
-}
-
 CaptureWorker::Step<void> CaptureWorker::store(std::vector<session::AngleSample> samples) {
   if (samples.empty()) {
     return {};
@@ -384,46 +253,21 @@ CaptureWorker::Step<void> CaptureWorker::store(std::vector<session::AngleSample>
   if (auto appended = fromSink(m_sink.append(samples)); !appended) {
     return appended;
   }
-  if (!m_oldestUncommitted) {
-    m_oldestUncommitted = std::chrono::steady_clock::now();
-  }
+  samplesAppended();
   m_samples += static_cast<std::int64_t>(samples.size());
   m_shared.queue.push(std::move(samples));
   return commitIfDue();
 }
 
-CaptureWorker::Step<void> CaptureWorker::commitIfDue() {
-  if (m_oldestUncommitted && std::chrono::steady_clock::now() - *m_oldestUncommitted >= commitAfter) {
-    return commit();
-  }
-  return {};
-}
-
-CaptureWorker::Step<void> CaptureWorker::commit() {
-  m_oldestUncommitted.reset();
-  return fromSink(m_sink.commit());
-}
-
-double CaptureWorker::sampleTimeS(double benchTimeS) const {
-  // Clocks of benches are not better than this, and the digits beyond would fill files.
-  constexpr double ticksPerS = 1e7;
-  const double sinceStart = benchTimeS - m_startS.value_or(benchTimeS);
-  return std::round((m_course.timeOffsetS + sinceStart) * ticksPerS) / ticksPerS;
-}
-
-void CaptureWorker::publishProgress() {
-  const double elapsed = m_bench.clock->nowS() - m_startS.value_or(0.0);
+void CaptureWorker::fillProgress(CaptureProgress& progress) {
   const int done = m_course.done();
   const int doneNow = done - m_doneAtStart;
-  const std::scoped_lock lock(m_shared.mutex);
-  CaptureProgress& progress = m_shared.progress;
   progress.pointsDone = done;
   progress.pointsPlanned = m_course.planned();
   progress.samples = m_samples;
   progress.samplesLost = m_shared.queue.lost();
-  progress.elapsedS = elapsed;
   if (doneNow >= 2) {
-    progress.remainingS = elapsed / doneNow * (m_course.planned() - done);
+    progress.remainingS = progress.elapsedS / doneNow * (m_course.planned() - done);
   }
 }
 

@@ -12,13 +12,14 @@ namespace straightedge::devices {
 
 /// Thread: push() from the capture thread, the rest from the controlling one. Never blocks the capture: a block that
 /// does not fit is left out and counted; the session's sink has it all the same.
-class LiveQueue {
+template <typename Sample>
+class LiveQueueOf {
 public:
   static constexpr std::size_t defaultCapacity = 131072; ///< samples: 13 s at 10,000 a second
 
-  explicit LiveQueue(std::size_t capacity = defaultCapacity) : m_capacity(capacity) {}
+  explicit LiveQueueOf(std::size_t capacity = defaultCapacity) : m_capacity(capacity) {}
 
-  void push(std::vector<session::AngleSample> block) {
+  void push(std::vector<Sample> block) {
     const std::scoped_lock lock(m_mutex);
     if (m_queued + block.size() > m_capacity) {
       m_lost += static_cast<std::int64_t>(block.size());
@@ -28,8 +29,8 @@ public:
     m_blocks.push_back(std::move(block));
   }
 
-  std::vector<session::AngleSample> takeAll() {
-    std::vector<std::vector<session::AngleSample>> blocks;
+  std::vector<Sample> takeAll() {
+    std::vector<std::vector<Sample>> blocks;
     {
       const std::scoped_lock lock(m_mutex);
       blocks.swap(m_blocks);
@@ -38,7 +39,7 @@ public:
     if (blocks.empty()) {
       return {};
     }
-    std::vector<session::AngleSample> all = std::move(blocks.front());
+    std::vector<Sample> all = std::move(blocks.front());
     for (std::size_t i = 1; i < blocks.size(); ++i) {
       all.insert(all.end(), blocks[i].begin(), blocks[i].end());
     }
@@ -53,9 +54,10 @@ public:
 private:
   const std::size_t m_capacity;
   mutable std::mutex m_mutex;
-  std::vector<std::vector<session::AngleSample>> m_blocks;
+  std::vector<std::vector<Sample>> m_blocks;
   std::size_t m_queued = 0;
   std::int64_t m_lost = 0;
 };
+using LiveQueue = LiveQueueOf<session::AngleSample>;
 
 } // namespace straightedge::devices
