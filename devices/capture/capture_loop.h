@@ -26,7 +26,7 @@ public:
 protected:
   /// Why a measurement ended early. Without an error: pause or stop was asked for.
   struct Interruption {
-    std::optional<Error> fault;
+    std::optional<Error> fault = std::nullopt;
     bool ofStorage = false;
     bool lookAgain = false; ///< neither fault nor pause: what comes next has changed
   };

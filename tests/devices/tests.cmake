@@ -33,3 +33,8 @@ straightedge_add_test(NAME devices_instruments
   LABELS devices)
 
 include(app/cli/capture.cmake)
+
+straightedge_add_test(NAME devices_field_capture
+  SOURCES devices/field_capture_test.cpp
+  LIBRARIES straightedge::devices
+  LABELS devices threads)

@@ -27,7 +27,7 @@ const std::vector<Room>& rooms() {
       {"devices/transport", {"core/base", "devices/usb"}},
       {"devices/instruments", {"core/base", "devices/transport"}},
       {"devices/simulated", {"core/base", "core/numerics", "core/field", "devices/instruments"}},
-      {"devices/capture", {"core/base", "core/session", "devices/instruments", "devices/simulated"}},
+      {"devices/capture", {"core/base", "core/field", "core/session", "devices/instruments", "devices/simulated"}},
       {"app/cli", {"core/", "devices/"}},
       {"app/gui/plots", {"core/base"}},
       {"app/gui/jobs", {"core/base"}},
