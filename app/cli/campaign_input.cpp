@@ -1,8 +1,8 @@
 #include "app/cli/campaign_input.h"
 
 #include "core/angle/session_sweep.h"
-#include "core/base/file_bytes.h"
 #include "core/field/campaign_csv.h"
+#include "core/field/session_campaign.h"
 
 #include <utility>
 
@@ -10,8 +10,11 @@ namespace straightedge::cli {
 
 Result<LoadedCampaign> loadCampaign(const std::string& path) {
   if (angle::isSessionFile(path)) {
-    return fail(ErrorKind::Input, "sessions of a teslameter cannot be read here in this version",
-                "name the campaign as a CSV file", inputName(path));
+    auto stored = field::readSessionCampaign(path, session::SweepRole::Calibration);
+    if (!stored) {
+      return std::unexpected(std::move(stored.error()));
+    }
+    return LoadedCampaign{std::move(stored->campaign), std::move(stored->traceability)};
   }
   auto campaign = field::readCampaignCsv(path);
   if (!campaign) {

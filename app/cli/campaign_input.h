@@ -15,7 +15,7 @@ struct LoadedCampaign {
 };
 
 /// `path` is a CSV file, "-" for standard input, or a session file, recognised by its content. Errors: those of
-/// readCampaignCsv(); of a session that cannot be read.
+/// readCampaignCsv() and readSessionCampaign().
 Result<LoadedCampaign> loadCampaign(const std::string& path);
 
 } // namespace straightedge::cli

@@ -1,5 +1,7 @@
 #include "app/cli/capture_command.h"
 
+#include "app/cli/field_capture_command.h"
+
 #include <map>
 #include <memory>
 #include <utility>
@@ -7,8 +9,10 @@
 namespace straightedge::cli {
 
 void addCaptureCommand(CLI::App& program, std::function<void(std::function<Result<void>()>)> onChosen) {
-  CLI::App* capture = program.add_subcommand("capture", "Capture a sweep on a bench into a session file");
+  CLI::App* capture =
+      program.add_subcommand("capture", "Capture a sweep or a field campaign on a bench into a session file");
   capture->require_subcommand(1);
+  addFieldCapture(*capture, onChosen);
   CLI::App* angle = capture->add_subcommand("angle", "Angle sensor against a reference encoder");
   const auto request = std::make_shared<CaptureRequest>();
 

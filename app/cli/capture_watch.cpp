@@ -1,8 +1,10 @@
 #include "app/cli/capture_watch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <iostream>
+#include <poll.h>
 #include <string>
 #include <unistd.h>
 
@@ -30,10 +32,11 @@ CaptureWatch::CaptureWatch() : m_onTerminal(::isatty(STDERR_FILENO) != 0) {
 
 CaptureWatch::~CaptureWatch() { pthread_sigmask(SIG_SETMASK, &m_before, nullptr); }
 
-devices::CaptureProgress CaptureWatch::follow(devices::AngleCapture& capture) {
+template <typename Capture, typename Show>
+auto CaptureWatch::followUntilDone(Capture& capture, const Show& showProgress) {
   long patienceNs = firstLookNs;
   for (;;) {
-    const devices::CaptureProgress progress = capture.progress();
+    const auto progress = capture.progress();
     if (!isActive(progress)) {
       wipe();
       if (progress.state == devices::CaptureState::Paused) {
@@ -42,7 +45,9 @@ devices::CaptureProgress CaptureWatch::follow(devices::AngleCapture& capture) {
       capture.waitUntilDone();
       return progress;
     }
-    show(progress);
+    if (m_onTerminal) {
+      showProgress(progress);
+    }
     capture.takeNewSamples(); // nobody draws them here
     const timespec patience{0, patienceNs};
     if (sigtimedwait(&m_signals, nullptr, &patience) > 0) {
@@ -52,16 +57,43 @@ devices::CaptureProgress CaptureWatch::follow(devices::AngleCapture& capture) {
   }
 }
 
-void CaptureWatch::show(const devices::CaptureProgress& progress) {
-  if (!m_onTerminal) {
-    return;
-  }
-  std::string line = "\r" + std::to_string(progress.pointsDone) + " of " + std::to_string(progress.pointsPlanned) +
-                     " points, " + std::to_string(progress.samples) + " samples";
-  if (progress.remainingS) {
-    line += ", " + std::to_string(std::lround(std::ceil(*progress.remainingS))) + " s left";
-  }
-  std::cerr << line << "\x1b[K" << std::flush;
+devices::CaptureProgress CaptureWatch::follow(devices::AngleCapture& capture) {
+  return followUntilDone(capture, [this](const devices::CaptureProgress& progress) {
+    std::string line = std::to_string(progress.pointsDone) + " of " + std::to_string(progress.pointsPlanned) +
+                       " points, " + std::to_string(progress.samples) + " samples";
+    if (progress.remainingS) {
+      line += ", " + std::to_string(std::lround(std::ceil(*progress.remainingS))) + " s left";
+    }
+    show(line);
+  });
+}
+
+devices::FieldCaptureProgress CaptureWatch::follow(devices::FieldCapture& capture,
+                                                   const std::vector<std::string>& titles) {
+  return followUntilDone(capture, [&](const devices::FieldCaptureProgress& progress) {
+    if (!progress.waitingFor.empty()) {
+      show("Please " + progress.waitingFor + ", then press Enter");
+      pollfd typed{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
+      char ignored = 0;
+      if (::poll(&typed, 1, 0) > 0 && ::read(STDIN_FILENO, &ignored, 1) == 1) {
+        capture.confirm();
+      }
+      return;
+    }
+    std::string line = std::to_string(progress.pointsDone) + " of " + std::to_string(progress.pointsPlanned) +
+                       " plateaus and sweeps, " + std::to_string(progress.samples) + " rows";
+    if (progress.stage >= 0 && static_cast<std::size_t>(progress.stage) < titles.size()) {
+      line = titles[static_cast<std::size_t>(progress.stage)] + ": " + line;
+    }
+    if (progress.remainingS) {
+      line += ", about " + std::to_string(std::lround(std::ceil(*progress.remainingS / 60.0))) + " min left";
+    }
+    show(line);
+  });
+}
+
+void CaptureWatch::show(const std::string& line) {
+  std::cerr << "\r" << line << "\x1b[K" << std::flush;
   m_shown = true;
 }
 

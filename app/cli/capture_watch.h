@@ -2,8 +2,11 @@
 #pragma once
 
 #include "devices/capture/angle_capture.h"
+#include "devices/capture/field_capture.h"
 
 #include <csignal>
+#include <string>
+#include <vector>
 
 namespace straightedge::cli {
 
@@ -18,9 +21,13 @@ public:
 
   /// Blocks until the sweep has ended; a fault of an instrument ends it too. The error, if any, is in the result.
   devices::CaptureProgress follow(devices::AngleCapture& capture);
+  /// Likewise. `titles` are the stages'. What a person is to do is asked for on a terminal and confirmed with Enter.
+  devices::FieldCaptureProgress follow(devices::FieldCapture& capture, const std::vector<std::string>& titles);
 
 private:
-  void show(const devices::CaptureProgress& progress);
+  template <typename Capture, typename Show>
+  auto followUntilDone(Capture& capture, const Show& show);
+  void show(const std::string& line);
   void wipe();
 
   sigset_t m_signals{};

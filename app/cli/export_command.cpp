@@ -2,6 +2,8 @@
 
 #include "app/cli/messages.h"
 #include "app/cli/options.h"
+#include "app/cli/session_export.h"
+#include "core/angle/session_sweep.h"
 #include "core/base/file_bytes.h"
 #include "core/base/file_output.h"
 #include "core/export/calibration_json.h"
@@ -88,6 +90,12 @@ Result<int> exportAngle(angle::AngleCalibration angleCalibration, const ExportOp
 }
 
 Result<int> exportCalibration(const ExportOptions& options) {
+  if (angle::isSessionFile(options.calibration)) {
+    if (auto written = exportSession(options.calibration, options.format, options.out); !written) {
+      return std::unexpected(std::move(written.error()));
+    }
+    return 0;
+  }
   const auto bytes = readFileBytes(options.calibration);
   if (!bytes) {
     return std::unexpected(bytes.error());
@@ -106,7 +114,10 @@ Result<int> exportCalibration(const ExportOptions& options) {
 void addExportCommand(CLI::App& parent, Work& work) {
   auto options = std::make_shared<ExportOptions>();
   CLI::App* command = parent.add_subcommand("export", "Write the tables of a calibration in another format");
-  command->add_option("CALIBRATION.json", options->calibration, "Calibration, - for standard input")->required();
+  command
+      ->add_option("CALIBRATION.json", options->calibration,
+                   "Calibration, - for standard input; or a session (.sedge), whose raw samples are written as CSV")
+      ->required();
   command->add_option("--model", options->model, "Model to write; without it all")->type_name("MODEL");
   command->add_option("--format", options->format, "Format")
       ->check(CLI::IsMember({"csv", "json"}))

@@ -1,5 +1,7 @@
 #include "devices/simulated/hall_campaign.h"
 
+#include "devices/simulated/quantised.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -102,7 +104,7 @@ private:
     if (row.locked) {
       const double sigma = std::max(referenceFloorT, 1e-6 * m_settings.referenceNoisePpm * std::abs(fieldT));
       const double shown = fieldT * (1.0 + 1e-6 * m_settings.referenceScalePpm) + sigma * m_noise.standardNormal();
-      row.referenceT = std::round(shown / referenceStepT) * referenceStepT;
+      row.referenceT = quantised(shown, referenceStepT);
     }
   }
 
@@ -132,7 +134,7 @@ private:
       CampaignRow& row = add(step, Eigen::Vector3d::Zero(), probe.next(chamber), referenceC());
       row.locked = false; // there is no NMR in the zero-field chamber
       if (step == CampaignStep::ProbeTemperature) {
-        row.chamberC = std::round(chamber / chamberStepC) * chamberStepC;
+        row.chamberC = quantised(chamber, chamberStepC);
       }
     }
   }

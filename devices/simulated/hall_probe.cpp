@@ -1,5 +1,7 @@
 #include "devices/simulated/hall_probe.h"
 
+#include "devices/simulated/quantised.h"
+
 #include <Eigen/LU>
 #include <Eigen/QR>
 
@@ -40,8 +42,6 @@ double solved(std::span<const double> ascending, double y, double guess) {
   }
   return x;
 }
-
-double quantised(double value, double step) { return step > 0.0 ? std::round(value / step) * step : value; }
 
 /// The fifth-order polynomial of field over raw reading that comes nearest to the inverse, over
 /// full scale.

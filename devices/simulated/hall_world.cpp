@@ -1,5 +1,7 @@
 #include "devices/simulated/hall_world.h"
 
+#include "devices/simulated/quantised.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -115,7 +117,7 @@ FieldReferenceReading HallWorld::readReference() {
     const double shown =
         std::abs(field) *
         (1.0 + 1e-6 * (m_settings.referenceScalePpm + m_settings.referenceNoisePpm * m_noise.standardNormal()));
-    reading.fieldT = std::round(shown / referenceStepT) * referenceStepT;
+    reading.fieldT = quantised(shown, referenceStepT);
   }
   return reading;
 }
@@ -124,9 +126,9 @@ double HallWorld::pt100Ohm() { return m_probe.pt100Ohm(probeC(), m_noise); }
 
 double HallWorld::probeChamberC() {
   probeC(); // the body follows the air: never look ahead of it
-  return std::round(m_probeChamber.at(m_clock->nowS()) / chamberStepC) * chamberStepC;
+  return quantised(m_probeChamber.at(m_clock->nowS()), chamberStepC);
 }
 
-double HallWorld::electronicsChamberC() { return std::round(electronicsC() / chamberStepC) * chamberStepC; }
+double HallWorld::electronicsChamberC() { return quantised(electronicsC(), chamberStepC); }
 
 } // namespace straightedge::devices

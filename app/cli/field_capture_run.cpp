@@ -1,0 +1,294 @@
+#include "app/cli/field_capture_run.h"
+
+#include "app/cli/capture_watch.h"
+#include "core/base/file_output.h"
+#include "core/base/number_text.h"
+#include "core/field/campaign_csv.h"
+#include "core/field/names.h"
+#include "core/field/session_campaign.h"
+#include "core/session/session.h"
+#include "devices/simulated/simulated_field_bench.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <utility>
+
+namespace straightedge::cli {
+
+namespace {
+
+constexpr auto role = session::SweepRole::Calibration;
+
+bool changesPlan(const FieldCaptureRequest& request) {
+  return !request.stages.empty() || !request.axes.empty() || !request.fieldsT.empty() ||
+         !request.temperaturesC.empty() || request.rows || request.sweepRows || request.rowS || request.settleS ||
+         request.temperatureSettleS || request.lockTimeoutS;
+}
+
+Result<devices::FieldPlan> planOf(const FieldCaptureRequest& request) {
+  devices::FieldPlanShape shape;
+  for (const std::string& name : request.stages) {
+    const auto step = field::parseStep(name);
+    if (!step) {
+      std::string known;
+      for (const auto each : field::allSteps) {
+        known += (known.empty() ? "" : ", ") + std::string(field::stepName(each));
+      }
+      return fail(ErrorKind::Usage, "--stages: there is no step '" + name + "'", "choose from " + known);
+    }
+    shape.steps.push_back(*step);
+  }
+  for (const std::string& name : request.axes) {
+    const auto axis = field::parseAxis(name);
+    if (!axis) {
+      return fail(ErrorKind::Usage, "--axes: there is no axis '" + name + "'", "choose from x, y, z");
+    }
+    shape.axes.push_back(*axis);
+  }
+  if (!request.fieldsT.empty()) {
+    shape.fieldsT = request.fieldsT;
+  }
+  if (request.temperaturesC.size() == 2) {
+    shape.lowC = request.temperaturesC[0];
+    shape.highC = request.temperaturesC[1];
+  }
+  shape.rows = request.rows;
+  shape.sweepRows = request.sweepRows;
+  shape.rowS = request.rowS;
+  shape.settleS = request.settleS;
+  shape.temperatureSettleS = request.temperatureSettleS;
+  shape.lockTimeoutS = request.lockTimeoutS;
+  devices::FieldPlan plan = devices::makeFieldPlan(shape);
+  if (auto checked = devices::checkPlan(plan); !checked) {
+    return std::unexpected(std::move(checked.error()));
+  }
+  return plan;
+}
+
+Result<devices::SimulatedFieldSettings> withOptions(devices::SimulatedFieldSettings settings,
+                                                    const FieldCaptureRequest& request) {
+  settings.seed = request.seed.value_or(settings.seed);
+  settings.probe.noiseT = request.noiseT.value_or(settings.probe.noiseT);
+  settings.probeLagS = request.probeLagS.value_or(settings.probeLagS);
+  for (devices::HallAxis& axis : settings.probe.axes) {
+    axis.planarHallPerT = request.planarHallPerT.value_or(axis.planarHallPerT);
+  }
+  settings.realTime = request.realTime;
+  const auto check = [](const char* option, double value, double low, double high, const char* range) -> Result<void> {
+    if (value >= low && value <= high) {
+      return {};
+    }
+    return fail(ErrorKind::Usage, std::string(option) + " is " + formatDouble(value), range);
+  };
+  for (auto& checked : {check("--noise", settings.probe.noiseT, 0.0, 0.1, "give 0 to 0.1 T"),
+                        check("--probe-lag", settings.probeLagS, 0.0, 3600.0, "give 0 to 3600 s"),
+                        check("--planar-hall", settings.probe.axes[0].planarHallPerT, -0.1, 0.1, "give -0.1 to 0.1")}) {
+    if (!checked) {
+      return std::unexpected(checked.error());
+    }
+  }
+  return settings;
+}
+
+/// Everything that is settled before the first placement.
+struct PreparedRun {
+  std::unique_ptr<session::Session> session;
+  devices::FieldPlan plan;
+  devices::SimulatedFieldSettings settings;
+  std::vector<session::FieldSample> already;
+};
+
+Result<void> writeRecord(session::Session& session, const devices::FieldPlan& plan, bool finished) {
+  const nlohmann::json record = {
+      {"plan", devices::planToJson(plan)}, {"finished", finished}, {"bench", "Simulated bench"}};
+  return session.setDocument("capture", record.dump());
+}
+
+Result<void> readStored(PreparedRun& run, const FieldCaptureRequest& request) {
+  auto plan = run.session->document("plan");
+  auto settings = run.session->document("simulated-bench");
+  auto already = run.session->fieldSamples(role);
+  if (!plan || !settings || !already) {
+    return std::unexpected(!plan ? plan.error() : !settings ? settings.error() : already.error());
+  }
+  if (run.session->kind() != session::SessionKind::Field || plan->empty()) {
+    return fail(ErrorKind::Input, "the session holds no campaign that was begun", "leave out --resume with a new file",
+                request.session);
+  }
+  auto parsed = devices::fieldPlanFromJson(*plan);
+  auto stored = devices::simulatedFieldSettingsFromJson(settings->empty() ? "{}" : *settings);
+  if (!parsed || !stored) {
+    return std::unexpected(!parsed ? parsed.error() : stored.error());
+  }
+  run.plan = *std::move(parsed);
+  run.settings = *stored;
+  run.already = *std::move(already);
+  return {};
+}
+
+Result<PreparedRun> prepareResumed(const FieldCaptureRequest& request) {
+  if (changesPlan(request)) {
+    return fail(ErrorKind::Usage, "a campaign is resumed with the plan it was begun with",
+                "leave the plan's options out to go on with it", request.session);
+  }
+  auto opened = session::Session::open(request.session);
+  if (!opened) {
+    return std::unexpected(std::move(opened.error()));
+  }
+  PreparedRun run{.session = *std::move(opened), .plan = {}, .settings = {}, .already = {}};
+  if (auto read = readStored(run, request); !read) {
+    return std::unexpected(std::move(read.error()));
+  }
+  auto settings = withOptions(run.settings, request);
+  if (!settings) {
+    return std::unexpected(std::move(settings.error()));
+  }
+  run.settings = *std::move(settings);
+  // The noise goes on instead of repeating itself from the first row.
+  run.settings.seed += 0x9E3779B97F4A7C15ULL * run.already.size();
+  return run;
+}
+
+Result<PreparedRun> prepareNew(const FieldCaptureRequest& request) {
+  auto plan = planOf(request);
+  auto settings = withOptions({}, request);
+  if (!plan || !settings) {
+    return std::unexpected(!plan ? plan.error() : settings.error());
+  }
+  std::error_code ignored;
+  if (std::filesystem::exists(request.session, ignored)) {
+    return fail(ErrorKind::Storage, "the file exists already", "give --resume to go on with it, or choose another name",
+                request.session);
+  }
+  auto created = session::Session::create(request.session, session::SessionKind::Field);
+  if (!created) {
+    return std::unexpected(std::move(created.error()));
+  }
+  PreparedRun run{
+      .session = *std::move(created), .plan = *std::move(plan), .settings = *std::move(settings), .already = {}};
+  if (auto set = run.session->setDocument("simulated-bench", devices::simulatedFieldSettingsToJson(run.settings));
+      !set) {
+    return std::unexpected(std::move(set.error()));
+  }
+  if (auto set = run.session->setDocument("plan", devices::planToJson(run.plan)); !set) {
+    return std::unexpected(std::move(set.error()));
+  }
+  return run;
+}
+
+Result<void> describe(PreparedRun& run, const FieldCaptureRequest& request, const devices::FieldBench& bench) {
+  auto traceability = run.session->traceability();
+  if (!traceability) {
+    return std::unexpected(std::move(traceability.error()));
+  }
+  const auto set = [](std::string& entry, const std::string& value) { entry = value.empty() ? entry : value; };
+  set(traceability->deviceSerial, request.serial);
+  set(traceability->deviceModel, request.deviceModel);
+  set(traceability->operatorName, request.operatorName);
+  const devices::InstrumentIdentity reference = bench.reference->identity();
+  set(traceability->reference.model, reference.model);
+  set(traceability->reference.serial, reference.serial);
+  traceability->ambientC = run.settings.roomC;
+  if (auto stored = run.session->setTraceability(*traceability); !stored) {
+    return stored;
+  }
+  return writeRecord(*run.session, run.plan, false);
+}
+
+Result<void> outcomeOf(const devices::FieldCaptureProgress& progress, const std::string& session) {
+  const std::string goOn = "go on with --resume";
+  if (progress.error) {
+    Error error = *progress.error;
+    if (error.kind == ErrorKind::Instrument) {
+      error.remedy += (error.remedy.empty() ? "" : ", or ") + goOn;
+    }
+    return std::unexpected(std::move(error));
+  }
+  if (progress.state == devices::CaptureState::Finished) {
+    return {};
+  }
+  return fail(ErrorKind::Cancelled,
+              "stopped after " + std::to_string(progress.pointsDone) + " of " + std::to_string(progress.pointsPlanned) +
+                  " plateaus and sweeps; everything taken is stored",
+              goOn, session);
+}
+
+Result<void> writeCsv(const PreparedRun& run, const FieldCaptureRequest& request) {
+  if (request.csv.empty()) {
+    return {};
+  }
+  const auto samples = run.session->fieldSamples(role);
+  if (!samples) {
+    return std::unexpected(samples.error());
+  }
+  const auto campaign = field::campaignFromSamples(*samples, request.session);
+  if (!campaign) {
+    return std::unexpected(campaign.error());
+  }
+  return writeFileWhole(request.csv, field::campaignCsv(*campaign));
+}
+
+void tellWhatIsNext(const FieldCaptureRequest& request, const PreparedRun& run,
+                    const devices::FieldCaptureProgress& progress) {
+  std::ostream& out = request.csv == "-" ? std::cerr : std::cout;
+  out << request.session << ": " << run.plan.stages.size() << " stages, " << progress.pointsPlanned
+      << " plateaus and sweeps, " << run.already.size() + static_cast<std::size_t>(progress.samples) << " rows\n";
+  for (std::size_t i = 0; i < progress.stages.size(); ++i) {
+    if (progress.stages[i].pointsGivenUp > 0) {
+      out << "stage '" << devices::stageTitle(run.plan.stages[i]) << "': the reference did not lock at "
+          << progress.stages[i].pointsGivenUp << " of " << progress.stages[i].pointsPlanned << " fields\n";
+    }
+  }
+  out << "next: straightedge-cli field fit " << request.session << " --out DIR\n";
+}
+
+} // namespace
+
+Result<void> runFieldCapture(const FieldCaptureRequest& request) {
+  if (request.bench != "simulated") {
+    return fail(ErrorKind::Instrument, "there is no bench named '" + request.bench + "'", "give --bench simulated");
+  }
+  auto run = request.resume ? prepareResumed(request) : prepareNew(request);
+  if (!run) {
+    return std::unexpected(std::move(run.error()));
+  }
+  CaptureWatch watch; // before any thread is started
+  devices::SimulatedFieldBench bench(run->settings);
+  if (auto described = describe(*run, request, bench.bench()); !described) {
+    return described;
+  }
+  std::vector<std::string> titles;
+  for (const devices::FieldStage& stage : run->plan.stages) {
+    titles.push_back(devices::stageTitle(stage));
+  }
+  devices::FieldCaptureProgress progress;
+  {
+    auto sink = run->session->fieldSink(role);
+    if (!sink) {
+      return std::unexpected(std::move(sink.error()));
+    }
+    devices::FieldCapture capture(bench.bench(), **sink);
+    if (auto started = capture.start(run->plan, run->already); !started) {
+      return started;
+    }
+    progress = watch.follow(capture, titles);
+  }
+  Result<void> outcome = outcomeOf(progress, request.session);
+  if (outcome) {
+    outcome = writeRecord(*run->session, run->plan, true);
+  }
+  if (outcome) {
+    outcome = writeCsv(*run, request);
+  }
+  const auto closed = run->session->close();
+  if (!outcome || !closed) {
+    return outcome ? closed : outcome;
+  }
+  tellWhatIsNext(request, *run, progress);
+  return {};
+}
+
+} // namespace straightedge::cli
