@@ -38,3 +38,8 @@ straightedge_add_test(NAME devices_field_capture
   SOURCES devices/field_capture_test.cpp
   LIBRARIES straightedge::devices
   LABELS devices threads)
+
+straightedge_add_test(NAME devices_field_kill
+  SOURCES devices/field_kill_test.cpp
+  LIBRARIES straightedge::devices
+  LABELS devices)
