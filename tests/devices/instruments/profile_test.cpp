@@ -198,6 +198,17 @@ TEST(Profile, DrivesTheInstrument) {
   expectPlayed(line);
 }
 
+TEST(Profile, ATimeOutMayHaveBeenAPowerCycleSoItIsSetUpAgain) {
+  const auto profile = parseProfile(profileText(), "p.json");
+  ASSERT_TRUE(profile);
+  auto line = script({"> SENSOR T\\r", "> T?\\r", "!< timed-out", "x", "> SENSOR T\\r", "> T?\\r", "< 1,300.15\\r\\n"});
+  SteppingClock clock;
+  const auto made = makeProfileInstrument(line, clock, *profile);
+  EXPECT_FALSE(made->thermometer()->readC());
+  EXPECT_NEAR(made->thermometer()->readC().value().value, 27.0, 1e-9);
+  expectPlayed(line);
+}
+
 TEST(Profile, ThePt100ThatIsShipped) {
   const ProfileSet set = readProfiles("");
   const Profile* profile = findProfile(set, "scpi_multimeter_pt100");
