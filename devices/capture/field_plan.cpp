@@ -48,6 +48,9 @@ Result<void> checkStage(const FieldStage& stage) {
   for (const double probeC : stage.probeC) {
     checks.push_back(inRange("a temperature of stage '" + title + "'", probeC, coldestC, hottestC, " °C"));
   }
+  for (const double electronicsC : stage.electronicsC) {
+    checks.push_back(inRange("a temperature of stage '" + title + "'", electronicsC, coldestC, hottestC, " °C"));
+  }
   if (isSweep(stage)) {
     checks.push_back(inRange("the lowest temperature of stage '" + title + "'", stage.lowC, coldestC, hottestC, " °C"));
     checks.push_back(
@@ -85,19 +88,22 @@ double sweepC(const FieldStage& stage, int row) {
 
 std::vector<FieldPoint> plannedPoints(const FieldStage& stage) {
   std::vector<FieldPoint> points;
-  const auto add = [&points](double fieldT, std::optional<double> probeC) {
-    points.push_back({.index = static_cast<int>(points.size()), .fieldT = fieldT, .probeC = probeC});
+  const auto add = [&points](double fieldT, std::optional<double> probeC, std::optional<double> electronicsC) {
+    points.push_back(
+        {.index = static_cast<int>(points.size()), .fieldT = fieldT, .probeC = probeC, .electronicsC = electronicsC});
   };
   if (placementOf(stage) == ProbePlacement::ZeroChamber) {
-    add(0.0, std::nullopt);
+    add(0.0, std::nullopt, std::nullopt);
   } else if (stage.probeC.empty() || isSweep(stage)) {
     for (const double fieldT : stage.fieldsT) {
-      add(fieldT, std::nullopt);
+      add(fieldT, std::nullopt, std::nullopt);
     }
   } else {
-    for (const double probeC : stage.probeC) {
+    for (std::size_t i = 0; i < stage.probeC.size(); ++i) {
+      const auto& electronics = stage.electronicsC;
       for (const double fieldT : stage.fieldsT) {
-        add(fieldT, probeC);
+        add(fieldT, stage.probeC[i],
+            electronics.empty() ? std::nullopt : std::optional(electronics[i % electronics.size()]));
       }
     }
   }
@@ -217,6 +223,7 @@ FieldPlan makeFieldPlan(const FieldPlanShape& shape) {
     FieldStage stage = stageOf(CampaignStep::Verification, axis);
     stage.fieldsT = coarse;
     stage.probeC = {18.0, 21.0, 24.0, 27.0, 31.0};
+    stage.electronicsC = {24.0, 31.0, 19.0, 28.0, 21.0}; // together with the probe's they tell the blocks apart
     stage.rows = 6;
     add(stage);
   }

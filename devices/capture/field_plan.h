@@ -20,7 +20,8 @@ struct FieldStage {
   std::optional<field::Orientation> orientation; ///< of step orientation
   std::vector<double> fieldsT; ///< of the magnet, signed, a point each; empty in the zero-field chamber
   std::vector<double> probeC;  ///< plateaus at several temperatures: every field at each; empty: at the reference's
-  double lowC = 0.0;           ///< sweeps: of probe or electronics, up and down again
+  std::vector<double> electronicsC; ///< beside probeC, one for each (from the front again where there are fewer)
+  double lowC = 0.0;                ///< sweeps: of probe or electronics, up and down again
   double highC = 0.0;
   int cycles = 1;
   int rows = 10;        ///< of a plateau (locked ones) or a sweep
@@ -61,7 +62,8 @@ Result<void> checkPlan(const FieldPlan& plan);
 struct FieldPoint {
   int index = 0; ///< within its stage
   double fieldT = 0.0;
-  std::optional<double> probeC; ///< plateaus: where not the reference temperature
+  std::optional<double> probeC;       ///< plateaus: where not the reference temperature
+  std::optional<double> electronicsC; ///< likewise
 };
 std::vector<FieldPoint> plannedPoints(const FieldStage& stage);
 

@@ -23,6 +23,7 @@ std::string planToJson(const FieldPlan& plan) {
     }
     part.update({{"fields_T", stage.fieldsT},
                  {"probe_C", stage.probeC},
+                 {"electronics_C", stage.electronicsC},
                  {"low_C", stage.lowC},
                  {"high_C", stage.highC},
                  {"cycles", stage.cycles},
@@ -64,6 +65,7 @@ Result<FieldPlan> fieldPlanFromJson(std::string_view text) {
                               : std::nullopt;
       stage.fieldsT = part.at("fields_T").get<std::vector<double>>();
       stage.probeC = part.value("probe_C", stage.probeC);
+      stage.electronicsC = part.value("electronics_C", stage.electronicsC);
       stage.lowC = part.value("low_C", stage.lowC);
       stage.highC = part.value("high_C", stage.highC);
       stage.cycles = part.value("cycles", stage.cycles);

@@ -121,7 +121,8 @@ CaptureLoop::Step<void> FieldWorker::setTemperatures(FieldTask task) {
   if (auto set = setTemperature(m_bench.probeChamber, m_probeC, probeC, "the probe"); !set) {
     return set;
   }
-  return setTemperature(m_bench.electronicsChamber, m_electronicsC, isElectronicsSweep(stage) ? startsC : roomC,
+  return setTemperature(m_bench.electronicsChamber, m_electronicsC,
+                        isElectronicsSweep(stage) ? startsC : m_course.point(task).electronicsC.value_or(roomC),
                         "the electronics");
 }
 

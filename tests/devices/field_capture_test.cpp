@@ -64,6 +64,11 @@ TEST_F(FieldCaptureTest, EveryStageArrivesAsPlannedAndFollowsTheTruth) {
     counted[{samples[i].stage, samples[i].point}] += isSweep(stage) || samples[i].locked ? 1 : 0;
     EXPECT_EQ(samples[i].locked, samples[i].referenceT.has_value());
     EXPECT_EQ(samples[i].chamberC.has_value(), stage.step == CampaignStep::ProbeTemperature);
+    if (stage.step == CampaignStep::Verification) {
+      const FieldPoint point = plannedPoints(stage).at(static_cast<std::size_t>(samples[i].point));
+      EXPECT_NEAR(*samples[i].electronicsC, *point.electronicsC, 0.3);
+      EXPECT_NEAR((*samples[i].pt100Ohm - 100.0) / 0.3851, *point.probeC, 0.1);
+    }
   }
   for (std::size_t i = 0; i < plan.stages.size(); ++i) {
     for (const FieldPoint& point : plannedPoints(plan.stages[i])) {
