@@ -352,7 +352,9 @@ TEST(SimulatedFieldBenchTest, SettingsComeBackFromTheirJson) {
 }
 
 TEST(SimulatedFieldBenchTest, TheNmrLosesTheLockWhileTheFieldChanges) {
-  SimulatedFieldBench simulated(tests::virtualFieldBench());
+  SimulatedFieldSettings settings = tests::virtualFieldBench();
+  settings.searchS = 5.0; // on top of the 6.2 s until 0.1 T have come within 50 ppm
+  SimulatedFieldBench simulated(settings);
   const FieldBench bench = simulated.bench();
   ASSERT_TRUE(bench.carrier->place(ProbePlacement::PlusX));
   ASSERT_TRUE(bench.magnet->setFieldT(-1.0));
@@ -370,6 +372,7 @@ TEST(SimulatedFieldBenchTest, TheNmrLosesTheLockWhileTheFieldChanges) {
   EXPECT_NEAR(*there.fieldT, 1.0, 1e-5) << "magnitudes";
   ASSERT_TRUE(bench.magnet->setFieldT(-0.9));
   EXPECT_FALSE(lockedAfter(0.5).locked);
+  EXPECT_FALSE(lockedAfter(9.0).locked) << "it searches";
   EXPECT_TRUE(lockedAfter(20.0).locked);
   ASSERT_TRUE(bench.magnet->setFieldT(-0.03));
   EXPECT_FALSE(lockedAfter(60.0).locked);
