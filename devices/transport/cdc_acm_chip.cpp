@@ -8,11 +8,11 @@ namespace straightedge::devices {
 
 namespace {
 
-constexpr std::chrono::milliseconds requestTime(5000);
+constexpr std::chrono::milliseconds cdcRequestTime(5000);
 constexpr std::uint8_t communicationsClass = 0x02;
 constexpr std::uint8_t abstractControl = 0x02;
 constexpr std::uint8_t dataClass = 0x0A;
-constexpr std::uint8_t toInterface = 0x21; ///< class, interface, from the computer
+constexpr std::uint8_t toCdcInterface = 0x21; ///< class, interface, from the computer
 constexpr std::uint8_t setLineCoding = 0x20;
 constexpr std::uint8_t setControlLineState = 0x22;
 
@@ -41,8 +41,8 @@ public:
         static_cast<std::uint8_t>(settings.stopBits == 2 ? 2 : 0),
         static_cast<std::uint8_t>(settings.parity == Parity::None ? 0 : (settings.parity == Parity::Odd ? 1 : 2)),
         static_cast<std::uint8_t>(settings.dataBits)};
-    auto set = pipe.control({.requestType = toInterface, .request = setLineCoding, .value = 0, .index = m_control},
-                            coding, requestTime);
+    auto set = pipe.control({.requestType = toCdcInterface, .request = setLineCoding, .value = 0, .index = m_control},
+                            coding, cdcRequestTime);
     // A board without a real line behind it may refuse to hear of its rate.
     if (!set && set.error().fault != UsbFault::Stalled) {
       return std::unexpected(std::move(set.error()));
@@ -52,9 +52,9 @@ public:
 
   UsbResult<void> setControlLines(UsbPipe& pipe, bool dtr, bool rts) override {
     const auto lines = static_cast<std::uint16_t>((dtr ? 1 : 0) | (rts ? 2 : 0));
-    auto set =
-        pipe.control({.requestType = toInterface, .request = setControlLineState, .value = lines, .index = m_control},
-                     {}, requestTime);
+    auto set = pipe.control(
+        {.requestType = toCdcInterface, .request = setControlLineState, .value = lines, .index = m_control}, {},
+        cdcRequestTime);
     if (!set && set.error().fault != UsbFault::Stalled) {
       return std::unexpected(std::move(set.error()));
     }

@@ -11,13 +11,20 @@ namespace straightedge::devices {
 
 namespace {
 
-constexpr std::chrono::milliseconds requestTime(5000);
+constexpr std::chrono::milliseconds ftdiRequestTime(5000);
 constexpr std::uint16_t ftdiVendor = 0x0403;
-constexpr std::uint8_t toDevice = 0x40; ///< vendor, device, from the computer
-constexpr std::size_t statusBytes = 2;  ///< before the data of every packet
-constexpr std::uint16_t latencyMs = 2;  ///< until a packet that is not full is sent; 16 after a reset
+constexpr std::uint8_t toFtdiDevice = 0x40; ///< vendor, device, from the computer
+constexpr std::size_t statusBytes = 2;      ///< before the data of every packet
+constexpr std::uint16_t latencyMs = 2;      ///< until a packet that is not full is sent; 16 after a reset
 
-enum class Request : std::uint8_t { Reset = 0, ModemControl = 1, FlowControl = 2, BaudRate = 3, Data = 4, Latency = 9 };
+enum class FtdiRequest : std::uint8_t {
+  Reset = 0,
+  ModemControl = 1,
+  FlowControl = 2,
+  BaudRate = 3,
+  Data = 4,
+  Latency = 9
+};
 
 constexpr std::uint16_t resetChip = 0;
 constexpr std::uint16_t purgeReceived = 1;
@@ -73,9 +80,9 @@ public:
   }
 
   UsbResult<void> setUp(UsbPipe& pipe, const SerialSettings& settings) override {
-    auto done = request(pipe, Request::Reset, resetChip);
+    auto done = request(pipe, FtdiRequest::Reset, resetChip);
     if (done) {
-      done = request(pipe, Request::Latency, latencyMs);
+      done = request(pipe, FtdiRequest::Latency, latencyMs);
     }
     if (done) {
       done = setRate(pipe, settings.baud);
@@ -84,7 +91,7 @@ public:
       const unsigned parity = settings.parity == Parity::None ? 0U : (settings.parity == Parity::Odd ? 1U : 2U);
       const unsigned stop = settings.stopBits == 2 ? 2U : 0U;
       const auto bits = static_cast<unsigned>(settings.dataBits);
-      done = request(pipe, Request::Data, static_cast<std::uint16_t>(bits | parity << 8U | stop << 11U));
+      done = request(pipe, FtdiRequest::Data, static_cast<std::uint16_t>(bits | parity << 8U | stop << 11U));
     }
     if (done) {
       done = setFlow(pipe, settings.flow);
@@ -97,12 +104,12 @@ public:
 
   UsbResult<void> setControlLines(UsbPipe& pipe, bool dtr, bool rts) override {
     const unsigned levels = (dtr ? 1U : 0U) | (rts ? 2U : 0U);
-    return request(pipe, Request::ModemControl, static_cast<std::uint16_t>(0x300U | levels));
+    return request(pipe, FtdiRequest::ModemControl, static_cast<std::uint16_t>(0x300U | levels));
   }
 
   UsbResult<void> empty(UsbPipe& pipe) override {
-    auto done = request(pipe, Request::Reset, purgeReceived);
-    return done ? request(pipe, Request::Reset, purgeToSend) : done;
+    auto done = request(pipe, FtdiRequest::Reset, purgeReceived);
+    return done ? request(pipe, FtdiRequest::Reset, purgeToSend) : done;
   }
 
   LineErrors unpack(std::span<const std::uint8_t> transfer, std::string& bytes) const override {
@@ -121,11 +128,11 @@ public:
 private:
   double clockHz() const { return m_isHighSpeed ? 12e6 : 3e6; }
 
-  UsbResult<void> request(UsbPipe& pipe, Request what, std::uint16_t value, std::uint16_t indexHigh = 0) const {
+  UsbResult<void> request(UsbPipe& pipe, FtdiRequest what, std::uint16_t value, std::uint16_t indexHigh = 0) const {
     const auto index = static_cast<std::uint16_t>(indexHigh | m_port);
     auto done = pipe.control(
-        {.requestType = toDevice, .request = static_cast<std::uint8_t>(what), .value = value, .index = index}, {},
-        requestTime);
+        {.requestType = toFtdiDevice, .request = static_cast<std::uint8_t>(what), .value = value, .index = index}, {},
+        ftdiRequestTime);
     if (!done) {
       return std::unexpected(std::move(done.error()));
     }
@@ -138,7 +145,7 @@ private:
       bits |= 0x20000U; // from 120 MHz / 10
     }
     const auto high = static_cast<std::uint16_t>(bits >> 16U);
-    return request(pipe, Request::BaudRate, static_cast<std::uint16_t>(bits & 0xFFFFU),
+    return request(pipe, FtdiRequest::BaudRate, static_cast<std::uint16_t>(bits & 0xFFFFU),
                    m_port == 0 ? high : static_cast<std::uint16_t>(high << 8U));
   }
 
@@ -146,13 +153,13 @@ private:
     constexpr std::uint16_t xonXoff = 0x1311; // XOFF, XON
     switch (flow) {
     case FlowControl::RtsCts:
-      return request(pipe, Request::FlowControl, 0, 0x0100);
+      return request(pipe, FtdiRequest::FlowControl, 0, 0x0100);
     case FlowControl::XonXoff:
-      return request(pipe, Request::FlowControl, xonXoff, 0x0400);
+      return request(pipe, FtdiRequest::FlowControl, xonXoff, 0x0400);
     case FlowControl::None:
       break;
     }
-    return request(pipe, Request::FlowControl, 0);
+    return request(pipe, FtdiRequest::FlowControl, 0);
   }
 
   std::uint8_t m_interface;

@@ -7,7 +7,7 @@ namespace straightedge::devices {
 namespace {
 
 // None of these was tried on hardware here: each follows the source it names.
-constexpr std::array table = {
+constexpr std::array quirkTable = {
     UsbTmcQuirkEntry{.vendorId = 0x1bfa,
                      .productId = 0x0498,
                      .model = "Metrolab THM1176, TFM1186",
@@ -49,11 +49,11 @@ constexpr std::array table = {
 
 } // namespace
 
-std::span<const UsbTmcQuirkEntry> usbTmcQuirkTable() { return table; }
+std::span<const UsbTmcQuirkEntry> usbTmcQuirkTable() { return quirkTable; }
 
 UsbTmcQuirks usbTmcQuirks(std::uint16_t vendorId, std::uint16_t productId) {
   for (const std::uint16_t product : {productId, std::uint16_t{0}}) {
-    for (const auto& entry : table) {
+    for (const auto& entry : quirkTable) {
       if (entry.vendorId == vendorId && entry.productId == product) {
         return entry.quirks;
       }

@@ -13,7 +13,7 @@ namespace straightedge::devices {
 namespace {
 
 /// The same device in the same place: its address changes with every plugging in.
-bool isSame(const UsbDevice& a, const UsbDevice& b) {
+bool isSameDevice(const UsbDevice& a, const UsbDevice& b) {
   return a.bus == b.bus && a.address == b.address && a.vendorId == b.vendorId && a.productId == b.productId &&
          a.port == b.port && a.serial == b.serial;
 }
@@ -21,7 +21,7 @@ bool isSame(const UsbDevice& a, const UsbDevice& b) {
 std::vector<UsbDevice> onlyIn(const std::vector<UsbDevice>& all, const std::vector<UsbDevice>& without) {
   std::vector<UsbDevice> rest;
   std::ranges::copy_if(all, std::back_inserter(rest), [&](const UsbDevice& device) {
-    return std::ranges::none_of(without, [&](const UsbDevice& other) { return isSame(device, other); });
+    return std::ranges::none_of(without, [&](const UsbDevice& other) { return isSameDevice(device, other); });
   });
   return rest;
 }

@@ -172,11 +172,12 @@ void UsbTmcDevice::transferArrived() {
   case devDepMsgOut:
     if (m_transfer.size() < headerSize + size) {
       violation("fewer bytes than announced");
-    } else if (m_transfer.size() != headerSize + padded(size)) {
-      violation("not filled to a multiple of 4 bytes");
-    } else {
-      messageArrived(m_transfer, size, (m_transfer[8] & 1U) != 0);
+      break;
     }
+    if (m_transfer.size() != headerSize + padded(size)) {
+      violation("not filled to a multiple of 4 bytes");
+    }
+    messageArrived(m_transfer, size, (m_transfer[8] & 1U) != 0);
     break;
   case requestDevDepMsgIn:
     if (m_transfer.size() != headerSize) {
