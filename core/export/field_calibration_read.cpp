@@ -20,6 +20,7 @@ constexpr std::size_t mostCoefficients = 16;
 std::vector<double> readNumbers(JsonReader& reader, const JsonNode& parent, std::string_view key) {
   const JsonNode list = reader.list(parent, key);
   std::vector<double> numbers;
+  numbers.reserve(list.size());
   for (std::size_t i = 0; i < list.size(); ++i) {
     numbers.push_back(reader.asNumber(list.item(i)));
   }
