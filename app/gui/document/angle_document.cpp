@@ -2,7 +2,6 @@
 
 #include "app/gui/document/angle_document_state.h"
 #include "app/gui/document/captured_sweep.h"
-#include "app/gui/document/scratch_folder.h"
 #include "app/gui/document/undo_commands.h"
 
 #include <utility>
@@ -10,40 +9,21 @@
 namespace straightedge::gui {
 
 AngleDocument::AngleDocument(JobRunner& jobs, QObject* parent)
-    : QObject(parent), m_impl(std::make_unique<Impl>(*this, jobs)) {
+    : CalibrationDocument(parent), m_impl(std::make_unique<Impl>(*this, jobs)) {
   connect(&m_impl->recompute, &Recompute::runChanged, this, [this] { m_impl->keepRun(); });
   connect(&m_impl->recompute, &Recompute::verificationChanged, this, [this] { m_impl->keepVerification(); });
   connect(&m_impl->recompute, &Recompute::runChanged, this, &AngleDocument::runChanged);
   connect(&m_impl->recompute, &Recompute::comparisonChanged, this, &AngleDocument::comparisonChanged);
   connect(&m_impl->recompute, &Recompute::verificationChanged, this, &AngleDocument::verificationChanged);
-  connect(&m_impl->binding, &SessionBinding::failed, this, [this](const QString& message) {
-    emit titleChanged();
-    emit storageFailed(message);
-  });
-  connect(&m_impl->binding, &SessionBinding::written, this, &AngleDocument::titleChanged);
-  connect(&m_impl->undo, &QUndoStack::indexChanged, this, &AngleDocument::titleChanged);
 }
 
-AngleDocument::~AngleDocument() {
-  disconnect(&m_impl->undo, nullptr, this, nullptr);
-  static_cast<void>(close()); // nobody is left to tell; what was committed stays in the file
-}
-
-bool AngleDocument::isOpen() const { return m_impl->binding.session() != nullptr; }
-
-bool AngleDocument::isScratch() const { return m_impl->scratchLock != nullptr; }
-
-QString AngleDocument::file() const { return m_impl->file; }
-
-session::Session* AngleDocument::session() { return m_impl->binding.session(); }
+AngleDocument::~AngleDocument() { endLife(); }
 
 const angle::Sweep& AngleDocument::sweep() const { return *m_impl->calibration.sweep; }
 
 const angle::Sweep& AngleDocument::verificationSweep() const { return *m_impl->verification; }
 
 const AngleChoices& AngleDocument::choices() const { return m_impl->choices; }
-
-const Traceability& AngleDocument::traceability() const { return m_impl->traceability; }
 
 const devices::AnglePlan& AngleDocument::plan() const { return m_impl->plan; }
 
@@ -61,11 +41,9 @@ const std::optional<angle::VerificationReport>& AngleDocument::verification() co
 
 const std::optional<Error>& AngleDocument::verificationError() const { return m_impl->recompute.verificationError; }
 
-QUndoStack& AngleDocument::undoStack() { return m_impl->undo; }
-
 void AngleDocument::setSweep(angle::Sweep sweep, const QString& undoText) {
   SweepState after{std::make_shared<const angle::Sweep>(std::move(sweep)), SweepOrigin::Imported};
-  m_impl->undo.push(
+  undoStack().push(
       new ChangeCommand<SweepState>(undoText, m_impl->calibration, std::move(after), UndoMerge::Never,
                                     [impl = m_impl.get()](const SweepState& state) { impl->applySweep(state); }));
 }
@@ -87,7 +65,7 @@ void AngleDocument::setPointsEnabled(const std::vector<std::size_t>& rows, bool 
   const auto count = static_cast<int>(rows.size());
   const QString text =
       enabled ? tr("switch on %n point(s)", nullptr, count) : tr("switch off %n point(s)", nullptr, count);
-  m_impl->undo.push(
+  undoStack().push(
       new ChangeCommand<Shared>(text, m_impl->calibration.sweep, std::move(changed), UndoMerge::Never,
                                 [impl = m_impl.get()](const Shared& value) { impl->applyEnabled(value); }));
 }
@@ -96,22 +74,16 @@ void AngleDocument::setChoices(const AngleChoices& choices, const QString& undoT
   if (choices == m_impl->choices) {
     return;
   }
-  m_impl->undo.push(
+  undoStack().push(
       new ChangeCommand<AngleChoices>(undoText, m_impl->choices, choices, UndoMerge::Choices,
                                       [impl = m_impl.get()](const AngleChoices& value) { impl->applyChoices(value); }));
-}
-
-void AngleDocument::setTraceability(const Traceability& traceability) {
-  m_impl->undo.push(new ChangeCommand<Traceability>(
-      tr("change details"), m_impl->traceability, traceability, UndoMerge::Traceability,
-      [impl = m_impl.get()](const Traceability& value) { impl->applyTraceability(value); }));
 }
 
 void AngleDocument::setPlan(const devices::AnglePlan& plan) {
   if (plan == m_impl->plan) {
     return;
   }
-  m_impl->undo.push(new ChangeCommand<devices::AnglePlan>(
+  undoStack().push(new ChangeCommand<devices::AnglePlan>(
       tr("change plan"), m_impl->plan, plan, UndoMerge::Plan,
       [impl = m_impl.get()](const devices::AnglePlan& value) { impl->applyPlan(value); }));
 }
@@ -124,11 +96,11 @@ void AngleDocument::setVerificationSweep(angle::Sweep sweep) {
 }
 
 void AngleDocument::reloadSweepFromSession() {
-  auto* session = m_impl->binding.session();
-  if (session == nullptr) {
+  auto* open = session();
+  if (open == nullptr) {
     return;
   }
-  auto samples = session->angleSamples(session::SweepRole::Calibration);
+  auto samples = open->angleSamples(session::SweepRole::Calibration);
   if (!samples) {
     emit storageFailed(QString::fromStdString(samples.error().message()));
     return;
@@ -137,7 +109,7 @@ void AngleDocument::reloadSweepFromSession() {
   if (sweep.size() == m_impl->calibration.sweep->size() && m_impl->calibration.origin == SweepOrigin::Captured) {
     sweep.enabled = m_impl->calibration.sweep->enabled; // a point was measured again: the review still fits
   } else {
-    m_impl->undo.clear(); // what could be undone speaks of rows that are gone
+    undoStack().clear(); // what could be undone speaks of rows that are gone
   }
   m_impl->applySweep({std::make_shared<const angle::Sweep>(std::move(sweep)), SweepOrigin::Captured});
   emit titleChanged();

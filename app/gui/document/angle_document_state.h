@@ -5,8 +5,6 @@
 #include "app/gui/document/recompute.h"
 #include "app/gui/document/session_binding.h"
 
-#include <QLockFile>
-
 #include <memory>
 
 namespace straightedge::gui {
@@ -21,39 +19,31 @@ struct SweepState {
 };
 
 struct AngleDocument::Impl {
-  Impl(AngleDocument& owner, JobRunner& jobs) : document(owner), recompute(jobs) {}
+  Impl(AngleDocument& owner, JobRunner& jobs) : document(owner), recompute(jobs), binding(owner.binding()) {}
 
   AngleDocument& document;
   Recompute recompute;
-  SessionBinding binding;
-  QUndoStack undo;
-  QString file;
-  std::unique_ptr<QLockFile> scratchLock; ///< set while the session is a scratch file
+  SessionBinding& binding;
 
   SweepState calibration;
   std::shared_ptr<const angle::Sweep> verification = std::make_shared<const angle::Sweep>();
   AngleChoices choices;
-  Traceability traceability;
   devices::AnglePlan plan;
   std::string keptRun;          ///< calibration.json as the session has it; empty where there is none
   std::string keptVerification; ///< likewise the fresh sweep's result
 
-  void adopt(std::unique_ptr<session::Session> session, const QString& name, std::unique_ptr<QLockFile> lock);
-  QStringList load(session::Session& session); ///< returns what could not be read, in sentences
-  void reset();
   void updateRecompute();
   void scheduleReview();
   void scheduleVerificationSweep();
   void keepRun(); ///< into the session, where it differs from what is there
   void keepVerification();
   bool choicesAreDefault() const;
-  SweepState sweepOf(session::Session& session, QStringList& problems) const;
+  SweepState sweepOf(const session::Session& session, QStringList& problems) const;
 
   // What undo and redo put in place
   void applySweep(const SweepState& state);
   void applyEnabled(const std::shared_ptr<const angle::Sweep>& sweep);
   void applyChoices(const AngleChoices& value);
-  void applyTraceability(const Traceability& value);
   void applyPlan(const devices::AnglePlan& value);
 };
 

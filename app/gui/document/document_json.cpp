@@ -1,6 +1,6 @@
 #include "app/gui/document/document_json.h"
 
-#include <nlohmann/json.hpp>
+#include "app/gui/document/json_parts.h"
 
 #include <algorithm>
 
@@ -29,48 +29,6 @@ angle::CurveMethod curveFrom(const std::string& text) {
   return text == "regress" ? angle::CurveMethod::Regress : angle::CurveMethod::Auto;
 }
 
-std::unexpected<Error> unreadable(const char* document) {
-  return fail(ErrorKind::Storage, std::string("the session's \"") + document + "\" cannot be read",
-              "go on with the default, or open a copy of the file");
-}
-
-/// A document as a JSON object; discarded where it is anything else.
-json objectFrom(std::string_view text) {
-  json parsed = json::parse(text, nullptr, false);
-  return parsed.is_object() ? parsed : json(json::value_t::discarded);
-}
-
-template <typename T>
-bool columnInto(const json& object, const char* key, std::vector<T>& column) {
-  const auto found = object.find(key);
-  if (found == object.end()) {
-    return true;
-  }
-  if (!found->is_array() ||
-      !std::all_of(found->begin(), found->end(), [](const json& value) { return value.is_number(); })) {
-    return false;
-  }
-  column = found->template get<std::vector<T>>();
-  return true;
-}
-
-template <typename T>
-void columnFrom(json& object, const char* key, const std::vector<T>& column) {
-  if (!column.empty()) {
-    object[key] = column;
-  }
-}
-
-double numberOr(const json& object, const char* key, double otherwise) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_number() ? found->get<double>() : otherwise;
-}
-
-std::string textOr(const json& object, const char* key, const std::string& otherwise) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : otherwise;
-}
-
 } // namespace
 
 std::string choicesToJson(const AngleChoices& choices) {
@@ -88,9 +46,9 @@ std::string choicesToJson(const AngleChoices& choices) {
 }
 
 Result<AngleChoices> choicesFromJson(std::string_view text) {
-  const json object = objectFrom(text);
+  const json object = jsonObjectFrom(text);
   if (object.is_discarded()) {
-    return unreadable(choicesDocument);
+    return unreadableDocument(choicesDocument);
   }
   AngleChoices choices;
   choices.curveMethod = curveFrom(textOr(object, "curve", "auto"));
@@ -130,10 +88,10 @@ std::string reviewToJson(const angle::Sweep& sweep) {
 }
 
 Result<std::vector<std::size_t>> reviewFromJson(std::string_view text) {
-  const json object = objectFrom(text);
+  const json object = jsonObjectFrom(text);
   std::vector<std::size_t> rows;
   if (object.is_discarded() || !columnInto(object, "switched_off", rows)) {
-    return unreadable(reviewDocument);
+    return unreadableDocument(reviewDocument);
   }
   return rows;
 }
@@ -151,18 +109,18 @@ std::string sweepToJson(const angle::Sweep& sweep) {
 }
 
 Result<angle::Sweep> sweepFromJson(std::string_view text) {
-  const json object = objectFrom(text);
+  const json object = jsonObjectFrom(text);
   angle::Sweep sweep;
   if (object.is_discarded() || !columnInto(object, "encoder_deg", sweep.encoderDeg) ||
       !columnInto(object, "sensor_deg", sweep.sensorDeg) || !columnInto(object, "turn", sweep.turn) ||
       !columnInto(object, "direction", sweep.direction) || !columnInto(object, "temperature_C", sweep.temperatureC) ||
       !columnInto(object, "time_s", sweep.timeS) || !columnInto(object, "line", sweep.line)) {
-    return unreadable(importedSweepDocument);
+    return unreadableDocument(importedSweepDocument);
   }
   const auto fits = [&](const auto& column) { return column.empty() || column.size() == sweep.size(); };
   if (sweep.sensorDeg.size() != sweep.size() || !fits(sweep.turn) || !fits(sweep.direction) ||
       !fits(sweep.temperatureC) || !fits(sweep.timeS) || !fits(sweep.line)) {
-    return unreadable(importedSweepDocument);
+    return unreadableDocument(importedSweepDocument);
   }
   if (const auto source = object.find("source"); source != object.end() && source->is_object()) {
     sweep.source.file = textOr(*source, "file", "");

@@ -1,5 +1,6 @@
 #include "app/gui/document/recompute.h"
 
+#include "app/gui/document/same_traceability.h"
 #include "app/gui/jobs/job_runner.h"
 #include "core/angle/sweep_csv.h"
 #include "core/base/sha256.h"
@@ -39,14 +40,6 @@ void traceSource(SourceRecord& source, const angle::Sweep& sweep, const std::str
 
 bool sameSweep(const std::shared_ptr<const angle::Sweep>& a, const std::shared_ptr<const angle::Sweep>& b) {
   return a == b;
-}
-
-bool sameTraceability(const Traceability& a, const Traceability& b) {
-  const auto key = [](const Traceability& t) {
-    return std::tie(t.deviceSerial, t.deviceModel, t.operatorName, t.reference.model, t.reference.serial,
-                    t.reference.certificate, t.reference.due, t.reference.uncertainty, t.ambientC);
-  };
-  return key(a) == key(b);
 }
 } // namespace
 

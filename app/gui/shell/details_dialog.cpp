@@ -30,7 +30,8 @@ std::string textIn(const QLineEdit& field) { return field.text().trimmed().toStd
 
 } // namespace
 
-DetailsDialog::DetailsDialog(const Traceability& traceability, QWidget* parent) : QDialog(parent) {
+DetailsDialog::DetailsDialog(const Traceability& traceability, ReferenceUnit unit, QWidget* parent)
+    : QDialog(parent), m_unit(std::move(unit)) {
   setObjectName("detailsDialog");
   setWindowTitle(tr("Details"));
   auto* layout = new QVBoxLayout(this);
@@ -52,7 +53,7 @@ DetailsDialog::DetailsDialog(const Traceability& traceability, QWidget* parent) 
   m_due = addText(*reference, tr("Calibration &due"), instrument.due, "due");
   m_due->setPlaceholderText(tr("YYYY-MM-DD"));
   m_uncertainty =
-      addText(*reference, tr("Expanded &uncertainty (°, k = 2)"),
+      addText(*reference, tr("Expanded &uncertainty (%1, k = 2)").arg(m_unit.symbol),
               instrument.uncertainty > 0.0 ? formatDouble(instrument.uncertainty) : std::string(), "uncertainty");
   m_uncertainty->setPlaceholderText(tr("not stated"));
 
@@ -119,8 +120,8 @@ void DetailsDialog::check() {
   if (const QString due = m_due->text().trimmed(); !due.isEmpty() && !QDate::fromString(due, Qt::ISODate).isValid()) {
     problem = tr("“Calibration due” is no date of the form YYYY-MM-DD.");
   } else if (const auto value = numberIn(*m_uncertainty);
-             !m_uncertainty->text().trimmed().isEmpty() && (!value || *value < 0.0 || *value > 180.0)) {
-    problem = tr("“Expanded uncertainty” must be a number of degrees from 0 to 180.");
+             !m_uncertainty->text().trimmed().isEmpty() && (!value || *value < 0.0 || *value > m_unit.largest)) {
+    problem = tr("“Expanded uncertainty” must be a number of %1 from 0 to %2.").arg(m_unit.name).arg(m_unit.largest);
   } else if (const auto ambient = numberIn(*m_ambient);
              !m_ambient->text().trimmed().isEmpty() && (!ambient || *ambient < -273.15 || *ambient > 1000.0)) {
     problem = tr("“Ambient temperature” must be a number of degrees Celsius from −273.15 to 1000.");

@@ -1,6 +1,7 @@
 // Who, what, with what: the details that travel with every result.
 #pragma once
 
+#include "app/gui/shell/reference_unit.h"
 #include "core/base/traceability.h"
 
 #include <QDialog>
@@ -16,7 +17,7 @@ namespace straightedge::gui {
 class DetailsDialog : public QDialog {
   Q_OBJECT
 public:
-  explicit DetailsDialog(const Traceability& traceability, QWidget* parent = nullptr);
+  DetailsDialog(const Traceability& traceability, ReferenceUnit unit, QWidget* parent = nullptr);
   Traceability traceability() const;
   QPushButton* okButton() const { return m_ok; }
 
@@ -26,6 +27,7 @@ private:
   void alignLabels();
   void check();
 
+  ReferenceUnit m_unit;
   QLineEdit* m_serial = nullptr;
   QLineEdit* m_model = nullptr;
   QLineEdit* m_operator = nullptr;

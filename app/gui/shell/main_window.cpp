@@ -2,7 +2,6 @@
 
 #include "app/gui/shell/details_dialog.h"
 #include "app/gui/shell/help_window.h"
-#include "app/gui/shell/import_dialog.h"
 #include "app/gui/shell/job_status.h"
 #include "app/gui/shell/line_icon.h"
 #include "app/gui/shell/message_bar.h"
@@ -27,11 +26,13 @@ MainWindow::MainWindow(std::unique_ptr<WindowPrompts> prompts, QWidget* parent)
   setObjectName("mainWindow");
   setWindowIcon(QIcon(":/icons/straightedge.svg"));
   setAcceptDrops(true);
+  m_angle = std::make_unique<AngleWorkspace>(m_jobs);
   makePages();
   makeMenus();
   statusBar()->addPermanentWidget(new JobStatus(m_jobs, this));
   statusBar()->setSizeGripEnabled(false);
-  connectDocument();
+  connectWorkspace(*m_angle);
+  use(*m_angle);
   restoreLayout();
   showStart();
 }
@@ -39,8 +40,10 @@ MainWindow::MainWindow(std::unique_ptr<WindowPrompts> prompts, QWidget* parent)
 MainWindow::~MainWindow() {
   // Pages refer to the calibration, the bench and the jobs, which are members and would go first.
   delete takeCentralWidget();
-  m_bench.disconnect(this);
-  m_document.disconnect(this);
+  for (auto& [workspace, pages] : m_stepPages) {
+    workspace->disconnect(this);
+  }
+  m_angle->document().disconnect(this);
   m_jobs.disconnect(this);
 }
 
@@ -100,43 +103,50 @@ QWidget* MainWindow::makeRailFoot() {
   return foot;
 }
 
-void MainWindow::connectDocument() {
-  for (const auto signal : {&AngleDocument::sweepChanged, &AngleDocument::runChanged, &AngleDocument::comparisonChanged,
-                            &AngleDocument::verificationChanged, &AngleDocument::verificationSweepChanged}) {
-    connect(&m_document, signal, this, &MainWindow::updateSteps);
-  }
-  connect(&m_document, &AngleDocument::opened, this, [this] {
+void MainWindow::connectWorkspace(Workspace& workspace) {
+  m_stepPages[&workspace].resize(workspace.steps().size());
+  auto& document = workspace.document();
+  m_undo.addStack(&document.undoStack());
+  connect(&document, &CalibrationDocument::opened, this, [this] {
     updateSteps();
     updateActions();
   });
-  connect(&m_document, &AngleDocument::titleChanged, this, &MainWindow::updateTitle);
-  connect(&m_document, &AngleDocument::storageFailed, this,
-          [this](const QString& message) { m_messages->showMessage(message, MessageBar::Kind::Problem); });
-  connect(&m_bench, &BenchLink::failed, this, [this](const QString& message) {
-    const StepPage* shown = m_currentStep < 0 ? nullptr : m_stepPages[static_cast<std::size_t>(m_currentStep)];
+  connect(&document, &CalibrationDocument::titleChanged, this, &MainWindow::updateTitle);
+  connect(&document, &CalibrationDocument::storageFailed, this, &MainWindow::showProblem);
+  connect(&workspace, &Workspace::stateChanged, this, [this] {
+    updateSteps();
+    updateActions();
+    updateTitle();
+  });
+  connect(&workspace, &Workspace::failed, this, &MainWindow::showProblem);
+  connect(&workspace, &Workspace::benchFailed, this, [this](const QString& message) {
+    const StepPage* shown = page(m_currentStep);
     if (shown == nullptr || !shown->tellsBenchFaults()) {
-      m_messages->showMessage(message, MessageBar::Kind::Problem);
+      showProblem(message);
     }
   });
-  connect(&m_bench, &BenchLink::connectionChanged, this, &MainWindow::updateSteps);
-  connect(&m_bench, &BenchLink::captureEnded, this, [this] {
-    updateSteps();
-    updateActions();
-  });
-  connect(&m_bench, &BenchLink::progressChanged, this, [this] {
-    // Many times a second: only what changes with the beginning and the end of a capture.
-    if (m_wasCapturing != m_bench.isCapturing()) {
-      m_wasCapturing = m_bench.isCapturing();
-      updateSteps();
-      updateActions();
-      updateTitle();
-    }
-  });
+  connect(&workspace, &Workspace::dataReady, this,
+          [this, &workspace](const ReadyData& ready) { takeData(workspace, ready); });
+}
+
+void MainWindow::use(Workspace& workspace) {
+  if (m_workspace == &workspace) {
+    return;
+  }
+  if (auto* shown = m_workspace == nullptr ? nullptr : page(m_currentStep)) {
+    shown->left();
+  }
+  m_currentStep = -1;
+  m_workspace = &workspace;
+  m_stepBar->setSteps(workspace.steps());
+  fillStepMenu();
+  m_undo.setActiveStack(&workspace.document().undoStack());
+  updateSteps();
 }
 
 void MainWindow::showStart() {
-  if (m_currentStep >= 0 && m_stepPages[static_cast<std::size_t>(m_currentStep)] != nullptr) {
-    m_stepPages[static_cast<std::size_t>(m_currentStep)]->left();
+  if (auto* shown = page(m_currentStep)) {
+    shown->left();
   }
   m_currentStep = -1;
   statusBar()->clearMessage();
@@ -147,16 +157,18 @@ void MainWindow::showStart() {
 }
 
 StepPage* MainWindow::page(int step) const {
-  return step >= 0 && step < static_cast<int>(stepCount) ? m_stepPages[static_cast<std::size_t>(step)] : nullptr;
+  const auto& pages = m_stepPages.at(m_workspace);
+  return step >= 0 && step < static_cast<int>(pages.size()) ? pages[static_cast<std::size_t>(step)] : nullptr;
 }
 
 void MainWindow::createPage(int step) {
   const auto index = static_cast<std::size_t>(step);
-  if (m_stepPages[index] != nullptr) {
+  auto& made = m_stepPages.at(m_workspace)[index];
+  if (made != nullptr) {
     return;
   }
-  auto* page = stepCatalogue()[index].make({m_document, m_bench, m_jobs}, m_pages);
-  m_stepPages[index] = page;
+  auto* page = m_workspace->makePage(index, m_pages);
+  made = page;
   // On a small or strongly scaled screen a page scrolls instead of making the window larger than the screen.
   auto* scroll = new QScrollArea(m_pages);
   scroll->setFrameShape(QFrame::NoFrame);
@@ -167,19 +179,19 @@ void MainWindow::createPage(int step) {
   connect(page, &StepPage::availabilityChanged, this, &MainWindow::updateSteps);
   connect(page, &StepPage::detailsRequested, this, &MainWindow::showDetails);
   connect(page, &StepPage::goToStep, this, [this](const QString& title) {
-    if (const int target = stepIndex(title); target >= 0) {
+    if (const int target = stepIndex(m_workspace->steps(), title); target >= 0) {
       goToStep(target);
     }
   });
 }
 
 void MainWindow::goToStep(int step) {
-  if (!m_document.isOpen() || step < 0 || step >= static_cast<int>(stepCount)) {
+  if (!m_workspace->document().isOpen() || step < 0 || step >= static_cast<int>(m_workspace->steps().size())) {
     return;
   }
   const int former = m_currentStep;
   createPage(step);
-  auto* next = m_stepPages[static_cast<std::size_t>(step)];
+  auto* next = page(step);
   m_outer->setCurrentIndex(1);
   m_stepBar->setCurrent(step);
   if (former != step) {
@@ -202,10 +214,11 @@ void MainWindow::goToStep(int step) {
 }
 
 void MainWindow::updateSteps() {
-  for (std::size_t i = 0; i < stepCount; ++i) {
-    StepState state = stepState(i, m_document, m_bench);
-    if (m_stepPages[i] != nullptr && state.progress != StepProgress::Failed) {
-      if (const QString missing = m_stepPages[i]->missing(); !missing.isEmpty()) {
+  const auto& pages = m_stepPages.at(m_workspace);
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    StepState state = m_workspace->state(i);
+    if (pages[i] != nullptr && state.progress != StepProgress::Failed) {
+      if (const QString missing = pages[i]->missing(); !missing.isEmpty()) {
         state = {StepProgress::Missing, missing};
       }
     }
@@ -214,20 +227,21 @@ void MainWindow::updateSteps() {
 }
 
 void MainWindow::updateTitle() {
-  if (!m_document.isOpen()) {
+  const auto& document = m_workspace->document();
+  if (!document.isOpen()) {
     setWindowTitle(tr("Straightedge"));
     setWindowModified(false);
     setWindowFilePath({});
     return;
   }
-  const QString readOnly = m_document.isReadOnly() ? tr(" (read-only)") : QString();
-  setWindowTitle(tr("%1[*]%2 — Straightedge").arg(m_document.displayName(), readOnly));
-  setWindowModified(m_document.isScratch() ? m_document.hasContent() : m_document.hasUnsavedState());
+  const QString readOnly = document.isReadOnly() ? tr(" (read-only)") : QString();
+  setWindowTitle(tr("%1[*]%2 — Straightedge").arg(document.displayName(), readOnly));
+  setWindowModified(document.isScratch() ? document.hasContent() : document.hasUnsavedState());
 }
 
-void MainWindow::complain(const Error& error) {
-  m_messages->showMessage(QString::fromStdString(error.message()), MessageBar::Kind::Problem);
-}
+void MainWindow::complain(const Error& error) { showProblem(QString::fromStdString(error.message())); }
+
+void MainWindow::showProblem(const QString& message) { m_messages->showMessage(message, MessageBar::Kind::Problem); }
 
 void MainWindow::tell(const QString& text) { statusBar()->showMessage(text, 6000); }
 

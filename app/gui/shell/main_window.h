@@ -1,20 +1,19 @@
-// The window: start page, step bar, one page per step, menus. Holds the one open calibration.
+// The window: start page, step bar, one page per step, menus. Knows a calibration only as its workspace.
 #pragma once
 
-#include "app/gui/document/angle_document.h"
-#include "app/gui/document/bench_link.h"
 #include "app/gui/jobs/job_runner.h"
+#include "app/gui/shell/angle_workspace.h"
 #include "app/gui/shell/recent_files.h"
-#include "app/gui/shell/step_catalogue.h"
 #include "app/gui/shell/theme.h"
 #include "app/gui/shell/window_prompts.h"
-#include "core/angle/sweep_csv.h"
 
 #include <QMainWindow>
 #include <QPointer>
+#include <QUndoGroup>
 
-#include <array>
+#include <map>
 #include <memory>
+#include <vector>
 
 class QAction;
 class QActionGroup;
@@ -36,14 +35,15 @@ public:
   explicit MainWindow(std::unique_ptr<WindowPrompts> prompts = nullptr, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  AngleDocument& document() { return m_document; }
-  BenchLink& bench() { return m_bench; }
+  Workspace& workspace() { return *m_workspace; } ///< the kind of calibration that is open, or was last
+  AngleDocument& document() { return m_angle->document(); }
+  BenchLink& bench() { return m_angle->bench(); }
   JobRunner& jobs() { return m_jobs; }
   MessageBar& messages() { return *m_messages; }
   StepBar& stepBar() { return *m_stepBar; }
   int currentStep() const { return m_currentStep; } ///< −1 on the start page
-  StepPage* page(int step) const;                   ///< null until it was first shown
-  ImportDialog* importDialog() const;
+  StepPage* page(int step) const;                   ///< of the workspace; null until it was first shown
+  ImportDialog* importDialog() const { return m_angle->importDialog(); }
   HelpWindow* helpWindow() const;
 
 public slots:
@@ -75,23 +75,27 @@ private:
   void makeFileMenu();
   void makeEditMenu();
   void makeStepMenu();
+  void fillStepMenu();
   void makeViewMenu();
   void makeHelpMenu();
   QWidget* makeRailFoot();
   void fillRecentMenu();
-  void connectDocument();
+  void connectWorkspace(Workspace& workspace);
+  void use(Workspace& workspace); ///< the step bar, menus and undo are this one's from now on
   void restoreLayout();
   void saveLayout() const;
 
   // Life of the calibration
   void deleteUnsaved(const QString& file);
   bool leaveCalibration(); ///< asks what has to be asked and closes; false: stay
+  bool
+  begin(Workspace& workspace); ///< a new calibration of this kind; false where the open one stays, or none could be
   bool saveTo(const QString& file);
   bool openSession(const QString& file);
-  void showImport(const QString& file, const angle::CsvPreview& preview);
-  void readSweep(const QString& file, const angle::SweepMapping& mapping, bool forVerification);
-  void useSweep(angle::Sweep sweep, const QString& name, bool forVerification);
+  Workspace& workspaceOf(session::SessionKind kind);
+  void takeData(Workspace& workspace, const ReadyData& ready);
   void complain(const Error& error);
+  void showProblem(const QString& message);
   void tell(const QString& text);
 
   void showStart();
@@ -105,8 +109,9 @@ private:
 
   std::unique_ptr<WindowPrompts> m_prompts;
   JobRunner m_jobs;
-  AngleDocument m_document{m_jobs};
-  BenchLink m_bench{m_document};
+  std::unique_ptr<AngleWorkspace> m_angle;
+  Workspace* m_workspace = nullptr; ///< never null
+  QUndoGroup m_undo;
   RecentFiles m_recent;
 
   QStackedWidget* m_outer = nullptr; ///< start page, or rail and steps
@@ -114,15 +119,16 @@ private:
   StartPage* m_start = nullptr;
   StepBar* m_stepBar = nullptr;
   MessageBar* m_messages = nullptr;
-  std::array<StepPage*, stepCount> m_stepPages{};
+  std::map<const Workspace*, std::vector<StepPage*>> m_stepPages; ///< null until first shown
   int m_currentStep = -1;
-  bool m_wasCapturing = false;
 
   QMenu* m_recentMenu = nullptr;
   QActionGroup* m_themes = nullptr;
+  QMenu* m_stepMenu = nullptr;
+  QAction* m_afterSteps = nullptr; ///< separator
+  QList<QAction*> m_stepActions;
   QList<QAction*> m_needsCalibration;
   QPointer<HelpWindow> m_help;
-  QPointer<ImportDialog> m_import;
 };
 
 } // namespace straightedge::gui

@@ -1,6 +1,5 @@
 // Opening, importing, saving, closing.
 #include "app/gui/document/scratch_folder.h"
-#include "app/gui/shell/import_dialog.h"
 #include "app/gui/shell/main_window.h"
 #include "app/gui/shell/message_bar.h"
 #include "app/gui/shell/start_page.h"
@@ -20,10 +19,7 @@ namespace straightedge::gui {
 
 namespace {
 
-constexpr int connectStep = 0;
-constexpr int captureStep = 1;
-constexpr int reviewStep = 2;
-constexpr int verifyStep = 5;
+constexpr int firstStep = 0;
 
 bool isSession(const QString& file) { return file.endsWith(".sedge", Qt::CaseInsensitive); }
 
@@ -45,30 +41,34 @@ QString MainWindow::folderForDialogs() const {
   return last.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : last;
 }
 
-void MainWindow::newCalibration() {
+Workspace& MainWindow::workspaceOf(session::SessionKind) { return *m_angle; }
+
+bool MainWindow::begin(Workspace& workspace) {
   if (!leaveCalibration()) {
-    return;
+    return false;
   }
-  if (auto created = m_document.createScratch(); !created) {
+  use(workspace);
+  if (auto created = workspace.document().createScratch(); !created) {
     complain(created.error());
     showStart();
-    return;
+    return false;
   }
-  goToStep(connectStep);
+  goToStep(firstStep);
+  return true;
 }
 
+void MainWindow::newCalibration() { begin(*m_angle); }
+
 void MainWindow::startSimulatedBench() {
-  newCalibration();
-  if (!m_document.isOpen()) {
+  if (!begin(*m_angle)) {
     return;
   }
-  if (!m_bench.isConnected() || m_bench.benchName() != tr("Simulated bench")) {
-    if (auto connected = m_bench.connectSimulated(m_bench.simulatedSettings()); !connected) {
-      complain(connected.error());
-      return;
-    }
+  const auto step = m_angle->connectSimulatedBench();
+  if (!step) {
+    complain(step.error());
+    return;
   }
-  goToStep(captureStep);
+  goToStep(*step);
 }
 
 void MainWindow::openDialog() {
@@ -97,28 +97,31 @@ bool MainWindow::openFile(const QString& file) {
 }
 
 bool MainWindow::openSession(const QString& file) {
-  if (m_document.isOpen() && m_document.file() == file) {
+  if (auto& open = m_workspace->document(); open.isOpen() && open.file() == file) {
     return true;
   }
   m_messages->dismiss();
   // Asked before the open calibration is closed for its sake.
-  if (auto possible = AngleDocument::probe(file); !possible) {
-    complain(possible.error());
+  const auto kind = CalibrationDocument::probe(file);
+  if (!kind) {
+    complain(kind.error());
     return false;
   }
   if (!leaveCalibration()) {
     return false;
   }
-  if (auto opened = m_document.open(file); !opened) {
+  use(workspaceOf(*kind));
+  auto& document = m_workspace->document();
+  if (auto opened = document.open(file); !opened) {
     complain(opened.error());
     showStart();
     return false;
   }
-  if (!m_document.isScratch()) {
+  if (!document.isScratch()) {
     m_recent.add(file);
     QSettings().setValue("lastFolder", QFileInfo(file).absolutePath());
   }
-  goToStep(m_document.sweep().size() > 0 ? reviewStep : connectStep);
+  goToStep(m_workspace->firstStepAfterOpening());
   return true;
 }
 
@@ -129,15 +132,14 @@ void MainWindow::openExample(const QString& resource) {
               resource.toStdString()});
     return;
   }
-  const std::string name = QFileInfo(resource).fileName().toStdString();
-  auto sweep = angle::parseSweepCsv(file.readAll().toStdString(), name, name);
-  if (!sweep) {
-    complain(sweep.error());
+  auto& workspace = workspaceOf(session::SessionKind::Angle);
+  auto ready = workspace.readExample(file.readAll().toStdString(), QFileInfo(resource).fileName());
+  if (!ready) {
+    complain(ready.error());
     return;
   }
-  newCalibration();
-  if (m_document.isOpen()) {
-    useSweep(std::move(*sweep), QString::fromStdString(name), false);
+  if (begin(workspace)) {
+    takeData(workspace, *ready);
   }
 }
 
@@ -149,72 +151,31 @@ void MainWindow::importDialogForFile() {
 
 void MainWindow::importCsv(const QString& file) {
   m_messages->dismiss();
-  m_jobs.run<angle::CsvPreview>(
-      "inspect-csv", tr("Reading %1").arg(QFileInfo(file).fileName()),
-      [path = file.toStdString()](const JobControl&) { return angle::inspectCsv(path); },
-      [this, file](Result<angle::CsvPreview> preview) {
-        if (!preview) {
-          complain(preview.error());
-          return;
-        }
-        showImport(file, *preview);
-      });
+  workspaceOf(session::SessionKind::Angle).importFile(file, m_currentStep, *this);
 }
 
-void MainWindow::showImport(const QString& file, const angle::CsvPreview& preview) {
-  if (m_import) {
-    m_import->close();
+void MainWindow::takeData(Workspace& workspace, const ReadyData& ready) {
+  if (!ready.file.isEmpty()) {
+    QSettings().setValue("lastFolder", QFileInfo(ready.file).absolutePath());
   }
-  const bool canVerify = m_document.isOpen() && m_document.sweep().size() > 0;
-  m_import = new ImportDialog(file, preview, canVerify && m_currentStep == verifyStep, canVerify, this);
-  m_import->setAttribute(Qt::WA_DeleteOnClose);
-  connect(m_import, &QDialog::accepted, this,
-          [this, file, dialog = m_import.data()] { readSweep(file, dialog->mapping(), dialog->forVerification()); });
-  m_import->open();
-}
-
-ImportDialog* MainWindow::importDialog() const { return m_import; }
-
-void MainWindow::readSweep(const QString& file, const angle::SweepMapping& mapping, bool forVerification) {
-  m_jobs.run<angle::Sweep>(
-      "read-csv", tr("Reading %1").arg(QFileInfo(file).fileName()),
-      [path = file.toStdString(), mapping](const JobControl&) { return angle::readSweepCsv(path, mapping); },
-      [this, file, forVerification](Result<angle::Sweep> sweep) {
-        if (!sweep) {
-          complain(sweep.error());
-          return;
-        }
-        QSettings().setValue("lastFolder", QFileInfo(file).absolutePath());
-        if (!m_document.isOpen()) {
-          newCalibration();
-        }
-        if (m_document.isOpen()) {
-          useSweep(std::move(*sweep), QFileInfo(file).fileName(), forVerification);
-        }
-      });
-}
-
-void MainWindow::useSweep(angle::Sweep sweep, const QString& name, bool forVerification) {
-  const auto points = sweep.size();
-  if (forVerification) {
-    m_document.setVerificationSweep(std::move(sweep));
-    goToStep(verifyStep);
-  } else {
-    m_document.setSweep(std::move(sweep), tr("import %1").arg(name));
-    goToStep(reviewStep);
+  if ((m_workspace != &workspace || !workspace.document().isOpen()) && !begin(workspace)) {
+    return;
   }
+  const Landing landing = ready.put();
+  goToStep(landing.step);
   updateTitle();
-  tell(tr("%1 points read from %2").arg(points).arg(name));
+  tell(landing.text);
 }
 
 bool MainWindow::save() {
-  if (!m_document.isOpen()) {
+  auto& document = m_workspace->document();
+  if (!document.isOpen()) {
     return false;
   }
-  if (m_document.isScratch() || m_document.isReadOnly()) {
+  if (document.isScratch() || document.isReadOnly()) {
     return saveAs();
   }
-  if (auto written = m_document.saveAs(m_document.file()); !written) {
+  if (auto written = document.saveAs(document.file()); !written) {
     complain(written.error());
     return false;
   }
@@ -224,20 +185,21 @@ bool MainWindow::save() {
 }
 
 bool MainWindow::saveAs() {
-  if (!m_document.isOpen()) {
+  const auto& document = m_workspace->document();
+  if (!document.isOpen()) {
     return false;
   }
-  if (m_bench.isCapturing()) {
+  if (m_workspace->isCapturing()) {
     complain({ErrorKind::Usage, "a capture is running into this session", "stop or pause the sweep, then save", ""});
     return false;
   }
-  const QString stem = m_document.isScratch() ? tr("calibration") : m_document.displayName();
+  const QString stem = document.isScratch() ? tr("calibration") : document.displayName();
   const QString file = m_prompts->askSaveFile(this, folderForDialogs() + "/" + stem + ".sedge");
   return !file.isEmpty() && saveTo(file);
 }
 
 bool MainWindow::saveTo(const QString& file) {
-  if (auto saved = m_document.saveAs(file); !saved) {
+  if (auto saved = m_workspace->document().saveAs(file); !saved) {
     complain(saved.error());
     return false;
   }
@@ -249,16 +211,17 @@ bool MainWindow::saveTo(const QString& file) {
 }
 
 bool MainWindow::leaveCalibration() {
-  if (!m_document.isOpen()) {
+  auto& document = m_workspace->document();
+  if (!document.isOpen()) {
     return true;
   }
-  if (m_bench.isCapturing()) {
+  if (m_workspace->isCapturing()) {
     if (!m_prompts->confirmStopCapture(this)) {
       return false;
     }
-    m_bench.stopAndWait();
+    m_workspace->stopAndWait();
   }
-  if (m_document.isScratch() && m_document.hasContent()) {
+  if (document.isScratch() && document.hasContent()) {
     switch (m_prompts->askClose(this)) {
     case WindowPrompts::CloseAnswer::Cancel:
       return false;
@@ -268,27 +231,27 @@ bool MainWindow::leaveCalibration() {
       }
       break;
     case WindowPrompts::CloseAnswer::Discard:
-      if (auto gone = m_document.discard(); !gone) {
+      if (auto gone = document.discard(); !gone) {
         complain(gone.error());
       }
       return true;
     case WindowPrompts::CloseAnswer::KeepForLater:
       break;
     }
-  } else if (m_document.isReadOnly() && m_document.hasUnsavedState()) {
+  } else if (document.isReadOnly() && document.hasUnsavedState()) {
     if (!m_prompts->confirmLoss(this, tr("The file is on read-only media. “Save As” keeps the changes elsewhere."))) {
       return false;
     }
-    static_cast<void>(m_document.discard()); // read-only: there is nothing to write
+    static_cast<void>(document.discard()); // read-only: there is nothing to write
     return true;
   }
-  if (auto closed = m_document.close(); !closed) {
-    if (m_document.isOpen()) {
+  if (auto closed = document.close(); !closed) {
+    if (document.isOpen()) {
       if (!m_prompts->confirmLoss(this, QString::fromStdString(closed.error().message()))) {
         complain(closed.error());
         return false;
       }
-      static_cast<void>(m_document.abandon());
+      static_cast<void>(document.abandon());
     } else {
       complain(closed.error());
     }

@@ -51,10 +51,10 @@ void MainWindow::makeFileMenu() {
 
 void MainWindow::makeEditMenu() {
   auto* menu = menuBar()->addMenu(tr("&Edit"));
-  auto* undo = m_document.undoStack().createUndoAction(this, tr("&Undo"));
+  auto* undo = m_undo.createUndoAction(this, tr("&Undo"));
   undo->setIcon(lineIcon("undo"));
   undo->setShortcut(QKeySequence::Undo);
-  auto* redo = m_document.undoStack().createRedoAction(this, tr("&Redo"));
+  auto* redo = m_undo.createRedoAction(this, tr("&Redo"));
   redo->setIcon(lineIcon("redo"));
   showShortcut(*redo, {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
   menu->addAction(undo);
@@ -65,22 +65,27 @@ void MainWindow::makeEditMenu() {
 
 void MainWindow::makeStepMenu() {
   auto* menu = menuBar()->addMenu(tr("&Step"));
-  const auto& steps = stepCatalogue();
-  const std::array<const char*, stepCount> names{QT_TR_NOOP("&Connect"), QT_TR_NOOP("C&apture"), QT_TR_NOOP("&Review"),
-                                                 QT_TR_NOOP("&Fit"),     QT_TR_NOOP("Co&mpare"), QT_TR_NOOP("&Verify"),
-                                                 QT_TR_NOOP("&Export")};
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const auto key = static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(i));
-    auto* action =
-        menu->addAction(tr(names[i]), QKeySequence(Qt::CTRL | key), this, [this, i] { goToStep(static_cast<int>(i)); });
-    m_needsCalibration << action;
-  }
-  menu->addSeparator();
+  m_stepMenu = menu;
+  m_afterSteps = menu->addSeparator();
   auto* previous = menu->addAction(tr("&Previous Step"), this, [this] { goToStep(m_currentStep - 1); });
   showShortcut(*previous, {QKeySequence(Qt::ALT | Qt::Key_Left), QKeySequence(Qt::ALT | Qt::Key_Up)});
   auto* next = menu->addAction(tr("&Next Step"), this, [this] { goToStep(m_currentStep + 1); });
   showShortcut(*next, {QKeySequence(Qt::ALT | Qt::Key_Right), QKeySequence(Qt::ALT | Qt::Key_Down)});
   m_needsCalibration << previous << next;
+}
+
+void MainWindow::fillStepMenu() {
+  qDeleteAll(m_stepActions);
+  m_stepActions.clear();
+  for (const StepEntry& step : m_workspace->steps()) {
+    const auto index = static_cast<int>(m_stepActions.size());
+    auto* action = new QAction(tr(step.menuText), m_stepMenu);
+    action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + index)));
+    connect(action, &QAction::triggered, this, [this, index] { goToStep(index); });
+    m_stepMenu->insertAction(m_afterSteps, action);
+    m_stepActions << action;
+  }
+  updateActions();
 }
 
 void MainWindow::makeViewMenu() {
@@ -130,9 +135,11 @@ void MainWindow::fillRecentMenu() {
 }
 
 void MainWindow::updateActions() {
-  const bool open = m_document.isOpen();
-  for (QAction* action : std::as_const(m_needsCalibration)) {
-    action->setEnabled(open);
+  const bool open = m_workspace->document().isOpen();
+  for (const auto* actions : {&m_needsCalibration, &m_stepActions}) {
+    for (QAction* action : *actions) {
+      action->setEnabled(open);
+    }
   }
 }
 
@@ -148,18 +155,20 @@ void MainWindow::copyFromFocus() {
 }
 
 void MainWindow::showDetails() {
-  if (!m_document.isOpen()) {
+  auto& document = m_workspace->document();
+  if (!document.isOpen()) {
     return;
   }
-  auto* dialog = new DetailsDialog(m_document.traceability(), this);
+  auto* dialog = new DetailsDialog(document.traceability(), m_workspace->referenceUnit(), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &QDialog::accepted, this, [this, dialog] { m_document.setTraceability(dialog->traceability()); });
+  connect(dialog, &QDialog::accepted, &document,
+          [&document, dialog] { document.setTraceability(dialog->traceability()); });
   dialog->open();
 }
 
 void MainWindow::showHelp(const QString& wanted) {
   const QString page = !wanted.isEmpty()    ? wanted
-                       : m_currentStep >= 0 ? m_stepPages[static_cast<std::size_t>(m_currentStep)]->helpPage()
+                       : m_currentStep >= 0 ? this->page(m_currentStep)->helpPage()
                                             : QStringLiteral("start");
   if (!m_help) {
     m_help = new HelpWindow(this);

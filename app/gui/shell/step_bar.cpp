@@ -24,8 +24,8 @@ QColor badColor(const QPalette& palette) {
 
 } // namespace
 
-StepButton::StepButton(int index, const QString& title, const QString& hint, QWidget* parent)
-    : QAbstractButton(parent), m_index(index), m_hint(hint) {
+StepButton::StepButton(int index, int count, const QString& title, const QString& hint, QWidget* parent)
+    : QAbstractButton(parent), m_index(index), m_count(count), m_hint(hint) {
   setText(title);
   setObjectName("step" + title);
   setAccessibleName(tr("Step %1: %2").arg(index + 1).arg(title));
@@ -124,7 +124,7 @@ void StepButton::paintEvent(QPaintEvent*) {
   if (m_index > 0) {
     painter.drawLine(QPointF(circleX, 0), centre - QPointF(0, circleRadius + 2));
   }
-  if (m_index + 1 < static_cast<int>(stepCount)) {
+  if (m_index + 1 < m_count) {
     painter.drawLine(centre + QPointF(0, circleRadius + 2), QPointF(circleX, height()));
   }
   paintCircle(painter,
@@ -144,17 +144,31 @@ StepBar::StepBar(QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 10, 1, 10);
   layout->setSpacing(0);
-  auto* group = new QButtonGroup(this);
-  group->setExclusive(true);
-  const auto& steps = stepCatalogue();
-  for (std::size_t i = 0; i < stepCount; ++i) {
-    m_buttons[i] = new StepButton(static_cast<int>(i), tr(steps[i].title), tr(steps[i].hint), this);
-    group->addButton(m_buttons[i], static_cast<int>(i));
-    layout->addWidget(m_buttons[i]);
-  }
+  m_entries = new QVBoxLayout;
+  m_entries->setSpacing(0);
+  layout->addLayout(m_entries);
   layout->addStretch(1);
-  connect(group, &QButtonGroup::idClicked, this, &StepBar::chosen);
+  m_group = new QButtonGroup(this);
+  m_group->setExclusive(true);
+  connect(m_group, &QButtonGroup::idClicked, this, &StepBar::chosen);
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+}
+
+void StepBar::setSteps(std::span<const StepEntry> steps) {
+  for (StepButton* button : m_buttons) {
+    m_group->removeButton(button);
+    delete button;
+  }
+  m_buttons.clear();
+  m_current = -1;
+  const auto count = static_cast<int>(steps.size());
+  for (const StepEntry& step : steps) {
+    const auto index = static_cast<int>(m_buttons.size());
+    auto* button = new StepButton(index, count, tr(step.title), tr(step.hint), this);
+    m_group->addButton(button, index);
+    m_entries->addWidget(button);
+    m_buttons.push_back(button);
+  }
 }
 
 void StepBar::setCurrent(int index) {
@@ -177,7 +191,7 @@ void StepBar::paintEvent(QPaintEvent*) {
 void StepBar::keyPressEvent(QKeyEvent* event) {
   const int step = event->key() == Qt::Key_Down ? 1 : event->key() == Qt::Key_Up ? -1 : 0;
   const int next = m_current + step;
-  if (step != 0 && next >= 0 && next < static_cast<int>(stepCount)) {
+  if (step != 0 && next >= 0 && next < static_cast<int>(m_buttons.size())) {
     m_buttons[static_cast<std::size_t>(next)]->setFocus(Qt::TabFocusReason);
     emit chosen(next);
     return;

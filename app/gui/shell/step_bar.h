@@ -1,12 +1,16 @@
 // The rail of steps at the left: where one is, what is done, what is missing.
 #pragma once
 
-#include "app/gui/shell/step_state.h"
+#include "app/gui/shell/step_entry.h"
 
 #include <QAbstractButton>
 #include <QWidget>
 
-#include <array>
+#include <span>
+#include <vector>
+
+class QButtonGroup;
+class QVBoxLayout;
 
 namespace straightedge::gui {
 
@@ -14,7 +18,7 @@ namespace straightedge::gui {
 class StepButton : public QAbstractButton {
   Q_OBJECT
 public:
-  StepButton(int index, const QString& title, const QString& hint, QWidget* parent);
+  StepButton(int index, int count, const QString& title, const QString& hint, QWidget* parent);
   void setState(const StepState& state);
   const StepState& state() const { return m_state; }
   QSize sizeHint() const override;
@@ -28,6 +32,7 @@ private:
   void paintCircle(QPainter& painter, const QRectF& circle) const;
 
   int m_index;
+  int m_count;
   QString m_hint;
   StepState m_state;
 };
@@ -36,6 +41,7 @@ class StepBar : public QWidget {
   Q_OBJECT
 public:
   explicit StepBar(QWidget* parent = nullptr);
+  void setSteps(std::span<const StepEntry> steps); ///< none of them is current
   void setCurrent(int index);
   int current() const { return m_current; }
   void setState(std::size_t step, const StepState& state);
@@ -51,7 +57,9 @@ protected:
   void keyPressEvent(QKeyEvent* event) override;
 
 private:
-  std::array<StepButton*, stepCount> m_buttons{};
+  QVBoxLayout* m_entries = nullptr;
+  QButtonGroup* m_group = nullptr;
+  std::vector<StepButton*> m_buttons;
   int m_current = -1;
 };
 

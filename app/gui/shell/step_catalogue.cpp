@@ -1,28 +1,31 @@
 #include "app/gui/shell/step_catalogue.h"
 
+#include "app/gui/shell/workspace.h"
+
+#include <QtGlobal>
+
 namespace straightedge::gui {
 
 const std::array<StepEntry, stepCount>& stepCatalogue() {
   static const std::array<StepEntry, stepCount> steps{{
-      {"Connect", "connect", "Choose the bench and watch its live reading", makeConnectStep},
-      {"Capture", "capture", "Plan the sweep and record it", makeCaptureStep},
-      {"Review", "review", "Look at the recorded data and switch off bad points", makeReviewStep},
-      {"Fit", "fit", "The correction curve and the chosen models over it", makeFitStep},
-      {"Compare", "compare", "What each way of storing the correction costs and leaves", makeCompareStep},
-      {"Verify", "verify", "A fresh sweep through the chosen model, against the limit", makeVerifyStep},
-      {"Export", "export", "Tables, plots and the report", makeExportStep},
+      {"Connect", "connect", "Choose the bench and watch its live reading", QT_TR_NOOP("&Connect")},
+      {"Capture", "capture", "Plan the sweep and record it", QT_TR_NOOP("C&apture")},
+      {"Review", "review", "Look at the recorded data and switch off bad points", QT_TR_NOOP("&Review")},
+      {"Fit", "fit", "The correction curve and the chosen models over it", QT_TR_NOOP("&Fit")},
+      {"Compare", "compare", "What each way of storing the correction costs and leaves", QT_TR_NOOP("Co&mpare")},
+      {"Verify", "verify", "A fresh sweep through the chosen model, against the limit", QT_TR_NOOP("&Verify")},
+      {"Export", "export", "Tables, plots and the report", QT_TR_NOOP("&Export")},
   }};
   return steps;
 }
 
-int stepIndex(const QString& title) {
-  const auto& steps = stepCatalogue();
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    if (title.compare(QLatin1String(steps[i].title), Qt::CaseInsensitive) == 0) {
-      return static_cast<int>(i);
-    }
-  }
-  return -1;
+StepPage* makeAngleStep(std::size_t step, StepContext context, QWidget* parent) {
+  using Make = StepPage* (*)(StepContext, QWidget*);
+  static constexpr std::array<Make, stepCount> makers{makeConnectStep, makeCaptureStep, makeReviewStep, makeFitStep,
+                                                      makeCompareStep, makeVerifyStep,  makeExportStep};
+  return makers.at(step)(context, parent);
 }
+
+int stepIndex(const QString& title) { return stepIndex(stepCatalogue(), title); }
 
 } // namespace straightedge::gui

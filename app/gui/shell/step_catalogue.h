@@ -1,6 +1,7 @@
-// The seven steps in their order: name, help page, and who makes the page.
+// The seven steps of an angle calibration in their order, and who makes their pages.
 #pragma once
 
+#include "app/gui/shell/step_entry.h"
 #include "app/gui/steps/step_page.h"
 
 #include <array>
@@ -8,15 +9,9 @@
 
 namespace straightedge::gui {
 
-struct StepEntry {
-  const char* title;
-  const char* helpPage;
-  const char* hint; ///< what the step is for, in the step bar's tooltip
-  StepPage* (*make)(StepContext context, QWidget* parent);
-};
-
 inline constexpr std::size_t stepCount = 7;
 const std::array<StepEntry, stepCount>& stepCatalogue();
+StepPage* makeAngleStep(std::size_t step, StepContext context, QWidget* parent);
 /// −1 where no step has that name.
 int stepIndex(const QString& title);
 

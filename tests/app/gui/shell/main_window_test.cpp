@@ -6,6 +6,7 @@
 #include "app/gui/shell/message_bar.h"
 #include "app/gui/shell/program_start.h"
 #include "app/gui/shell/step_bar.h"
+#include "app/gui/shell/step_catalogue.h"
 #include "tests/app/gui/shell/scripted_prompts.h"
 
 #include <QAction>

@@ -82,7 +82,7 @@ void ShellPictures::paints() {
   QVERIFY(read.wait(60000));
   keep(*window.importDialog(), "shell-import");
   window.importDialog()->reject();
-  DetailsDialog details(Traceability{}, &window);
+  DetailsDialog details(Traceability{}, {"°", "degrees", 180.0}, &window);
   details.show();
   keep(details, "shell-details");
   AboutDialog about(&window);

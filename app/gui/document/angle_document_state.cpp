@@ -1,10 +1,10 @@
 #include "app/gui/document/angle_document_state.h"
+
 #include "app/gui/document/captured_sweep.h"
 #include "app/gui/document/document_json.h"
+#include "app/gui/document/document_reading.h"
 #include "core/export/calibration_json.h"
 #include "core/export/verification_json.h"
-
-#include <QFileInfo>
 
 #include <utility>
 
@@ -12,104 +12,82 @@ namespace straightedge::gui {
 
 namespace {
 QString sentence(const Error& error) { return QString::fromStdString(error.message()); }
-std::string displayed(const QString& file) { return QFileInfo(file).fileName().toStdString(); }
 } // namespace
 
-void AngleDocument::Impl::reset() {
-  undo.clear();
-  calibration = {};
-  verification = std::make_shared<const angle::Sweep>();
-  choices = {};
-  traceability = {};
-  plan = {};
-  keptRun.clear();
-  keptVerification.clear();
-  file.clear();
-  scratchLock.reset();
-  recompute.clear();
-  emit document.opened();
-  emit document.titleChanged();
+void AngleDocument::reset() {
+  m_impl->calibration = {};
+  m_impl->verification = std::make_shared<const angle::Sweep>();
+  m_impl->choices = {};
+  m_impl->plan = {};
+  m_impl->keptRun.clear();
+  m_impl->keptVerification.clear();
+  m_impl->recompute.clear();
 }
 
-void AngleDocument::Impl::adopt(std::unique_ptr<session::Session> session, const QString& name,
-                                std::unique_ptr<QLockFile> lock) {
-  undo.clear();
-  recompute.clear();
-  file = name;
-  scratchLock = std::move(lock);
-  binding.attach(std::move(session));
-  const QStringList problems = load(*binding.session());
-  updateRecompute();
-  emit document.opened();
-  emit document.titleChanged();
-  if (!problems.isEmpty()) {
-    emit document.storageFailed(problems.join('\n'));
+void AngleDocument::inputsChanged() { m_impl->updateRecompute(); }
+
+bool AngleDocument::holdsContent() const {
+  if (m_impl->calibration.sweep->size() > 0 || m_impl->verification->size() > 0 || !m_impl->choicesAreDefault()) {
+    return true;
   }
+  const auto* open = session();
+  if (open == nullptr) {
+    return false;
+  }
+  // A count that cannot be read is no proof of emptiness.
+  const auto samples = open->angleSampleCount(session::SweepRole::Calibration);
+  const auto fresh = open->angleSampleCount(session::SweepRole::Verification);
+  return !samples || !fresh || *samples > 0 || *fresh > 0;
 }
 
-QStringList AngleDocument::Impl::load(session::Session& session) {
+QStringList AngleDocument::load(session::Session& session) {
   QStringList problems;
   const auto read = [&](const char* name, auto parse, auto take) {
-    const auto text = session.document(name);
-    if (!text) {
-      problems.append(sentence(text.error()));
-    } else if (!text->empty()) {
-      if (auto value = parse(*text)) {
-        take(std::move(*value));
-      } else {
-        problems.append(sentence(value.error()));
-      }
-    }
+    readDocument(session, name, problems, parse, take);
   };
-  choices = {};
-  plan = {};
-  traceability = {};
-  verification = std::make_shared<const angle::Sweep>();
+  auto& state = *m_impl;
+  state.choices = {};
+  state.plan = {};
+  state.verification = std::make_shared<const angle::Sweep>();
   read(
       choicesDocument, [](const std::string& text) { return choicesFromJson(text); },
-      [&](AngleChoices value) { choices = std::move(value); });
+      [&](AngleChoices value) { state.choices = std::move(value); });
   read(
       planDocument, [](const std::string& text) { return devices::planFromJson(text); },
-      [&](devices::AnglePlan value) { plan = value; });
-  if (auto known = session.traceability()) {
-    traceability = std::move(*known);
-  } else {
-    problems.append(sentence(known.error()));
-  }
-  calibration = sweepOf(session, problems);
+      [&](devices::AnglePlan value) { state.plan = value; });
+  state.calibration = state.sweepOf(session, problems);
   read(
       reviewDocument, [](const std::string& text) { return reviewFromJson(text); },
       [&](const std::vector<std::size_t>& rows) {
-        auto reviewed = std::make_shared<angle::Sweep>(*calibration.sweep);
+        auto reviewed = std::make_shared<angle::Sweep>(*state.calibration.sweep);
         for (const std::size_t row : rows) {
           if (row < reviewed->size()) {
             reviewed->enabled.resize(reviewed->size(), true);
             reviewed->enabled[row] = false;
           }
         }
-        calibration.sweep = std::move(reviewed);
+        state.calibration.sweep = std::move(reviewed);
       });
-  const auto asItIs = [](const std::string& text) { return Result<std::string>(text); };
-  keptRun.clear();
-  keptVerification.clear();
-  read(resultDocument, asItIs, [&](std::string text) { keptRun = std::move(text); });
-  read(verificationResultDocument, asItIs, [&](std::string text) { keptVerification = std::move(text); });
+  state.keptRun.clear();
+  state.keptVerification.clear();
+  read(resultDocument, asItIs, [&](std::string text) { state.keptRun = std::move(text); });
+  read(verificationResultDocument, asItIs, [&](std::string text) { state.keptVerification = std::move(text); });
   bool imported = false;
   read(
       verificationSweepDocument, [](const std::string& text) { return sweepFromJson(text); },
       [&](angle::Sweep value) {
         imported = true;
-        verification = std::make_shared<const angle::Sweep>(std::move(value));
+        state.verification = std::make_shared<const angle::Sweep>(std::move(value));
       });
   if (!imported) {
     if (const auto samples = session.angleSamples(session::SweepRole::Verification); samples && !samples->empty()) {
-      verification = std::make_shared<const angle::Sweep>(capturedSweep(*samples));
+      state.verification = std::make_shared<const angle::Sweep>(capturedSweep(*samples));
     }
   }
   return problems;
 }
 
-SweepState AngleDocument::Impl::sweepOf(session::Session& session, QStringList& problems) const {
+SweepState AngleDocument::Impl::sweepOf(const session::Session& session, QStringList& problems) const {
   const auto imported = session.document(importedSweepDocument);
   if (imported && !imported->empty()) {
     auto sweep = sweepFromJson(*imported);
@@ -134,7 +112,8 @@ SweepState AngleDocument::Impl::sweepOf(session::Session& session, QStringList& 
 bool AngleDocument::Impl::choicesAreDefault() const { return choices == AngleChoices{}; }
 
 void AngleDocument::Impl::updateRecompute() {
-  recompute.setInputs({calibration.sweep, verification, choices, traceability, displayed(file)});
+  recompute.setInputs(
+      {calibration.sweep, verification, choices, document.traceability(), displayedFileName(document.file())});
 }
 
 void AngleDocument::Impl::scheduleReview() {
@@ -154,7 +133,7 @@ void AngleDocument::Impl::keepRun() {
   if (recompute.run) {
     angle::AngleCalibration result = recompute.run->result;
     // Opening a file computes anew what it already says: that is no new result, and no reason to touch the file.
-    if (const auto kept = exporting::calibrationFromJson(keptRun, displayed(file)); kept) {
+    if (const auto kept = exporting::calibrationFromJson(keptRun, displayedFileName(document.file())); kept) {
       const std::string now = std::exchange(result.created, kept->created);
       if (exporting::calibrationToJson(result) == keptRun) {
         return;
@@ -174,7 +153,7 @@ void AngleDocument::Impl::keepRun() {
 void AngleDocument::Impl::keepVerification() {
   std::string text;
   if (recompute.verification) {
-    text = exporting::verificationToJson(*recompute.verification, traceability, verification->source);
+    text = exporting::verificationToJson(*recompute.verification, document.traceability(), verification->source);
   }
   if (text == keptVerification) {
     return;
@@ -209,13 +188,6 @@ void AngleDocument::Impl::applyChoices(const AngleChoices& value) {
   });
   updateRecompute();
   emit document.choicesChanged();
-}
-
-void AngleDocument::Impl::applyTraceability(const Traceability& value) {
-  traceability = value;
-  binding.schedule("traceability", [value](session::Session& session) { return session.setTraceability(value); });
-  updateRecompute();
-  emit document.traceabilityChanged();
 }
 
 void AngleDocument::Impl::applyPlan(const devices::AnglePlan& value) {

@@ -1,6 +1,6 @@
-// How an angle document begins, moves and ends.
-#include "app/gui/document/angle_document.h"
-#include "app/gui/document/angle_document_state.h"
+// How a document begins, moves and ends.
+#include "app/gui/document/calibration_document.h"
+#include "app/gui/document/calibration_document_state.h"
 #include "app/gui/document/scratch_folder.h"
 
 #include <QFile>
@@ -15,19 +15,19 @@ namespace {
 std::filesystem::path pathOf(const QString& file) { return std::filesystem::path(file.toStdU16String()); }
 } // namespace
 
-Result<void> AngleDocument::createScratch() {
+Result<void> CalibrationDocument::createScratch() {
   auto place = ScratchFolder::newFile();
   if (!place) {
     return std::unexpected(std::move(place.error()));
   }
-  auto session = session::Session::create(pathOf(place->first), session::SessionKind::Angle);
+  auto session = session::Session::create(pathOf(place->first), kind());
   if (!session) {
     return std::unexpected(std::move(session.error()));
   }
   if (auto closed = close(); !closed) {
     return closed;
   }
-  m_impl->adopt(std::move(*session), place->first, std::move(place->second));
+  adopt(std::move(*session), place->first, std::move(place->second));
   return {};
 }
 
@@ -38,7 +38,7 @@ struct OpenedSession {
   std::unique_ptr<session::Session> session;
 };
 
-Result<OpenedSession> openAngleSession(const QString& absolute) {
+Result<OpenedSession> openedSession(const QString& absolute) {
   OpenedSession result;
   if (ScratchFolder::contains(absolute)) {
     auto taken = ScratchFolder::lock(absolute);
@@ -51,50 +51,59 @@ Result<OpenedSession> openAngleSession(const QString& absolute) {
   if (!session) {
     return std::unexpected(std::move(session.error()));
   }
-  if ((*session)->kind() != session::SessionKind::Angle) {
-    return fail(ErrorKind::Input, "this session is not an angle calibration", "open a session of an angle calibration",
-                absolute.toStdString());
-  }
   result.session = std::move(*session);
   return result;
 }
 
-} // namespace
-
-Result<void> AngleDocument::probe(const QString& file) {
-  auto opened = openAngleSession(QFileInfo(file).absoluteFilePath());
-  if (!opened) {
-    return std::unexpected(std::move(opened.error()));
-  }
-  return opened->session->close();
+std::unexpected<Error> otherKind(session::SessionKind wanted, const QString& file) {
+  const std::string name = wanted == session::SessionKind::Angle ? "an angle" : "a field";
+  return fail(ErrorKind::Input, "this session is not " + name + " calibration",
+              "open a session of " + name + " calibration", file.toStdString());
 }
 
-Result<void> AngleDocument::open(const QString& file) {
-  const QString absolute = QFileInfo(file).absoluteFilePath();
-  if (isOpen() && absolute == m_impl->file) {
-    return {};
-  }
-  auto opened = openAngleSession(absolute);
+} // namespace
+
+Result<session::SessionKind> CalibrationDocument::probe(const QString& file) {
+  auto opened = openedSession(QFileInfo(file).absoluteFilePath());
   if (!opened) {
     return std::unexpected(std::move(opened.error()));
+  }
+  const session::SessionKind kind = opened->session->kind();
+  if (auto closed = opened->session->close(); !closed) {
+    return std::unexpected(std::move(closed.error()));
+  }
+  return kind;
+}
+
+Result<void> CalibrationDocument::open(const QString& file) {
+  const QString absolute = QFileInfo(file).absoluteFilePath();
+  if (isOpen() && absolute == m_life->file) {
+    return {};
+  }
+  auto opened = openedSession(absolute);
+  if (!opened) {
+    return std::unexpected(std::move(opened.error()));
+  }
+  if (opened->session->kind() != kind()) {
+    return otherKind(kind(), absolute);
   }
   if (auto closed = close(); !closed) {
     return closed; // the one that is open could not be written: better to keep it in sight
   }
-  m_impl->adopt(std::move(opened->session), absolute, std::move(opened->lock));
+  adopt(std::move(opened->session), absolute, std::move(opened->lock));
   return {};
 }
 
-Result<void> AngleDocument::saveAs(const QString& file) {
+Result<void> CalibrationDocument::saveAs(const QString& file) {
   const QString target = QFileInfo(file).absoluteFilePath();
-  auto* current = m_impl->binding.session();
+  auto* current = m_life->binding.session();
   if (current == nullptr) {
     return fail(ErrorKind::Usage, "no calibration is open", "open one or start a new one first");
   }
-  if (auto written = m_impl->binding.flush(); !written) {
+  if (auto written = m_life->binding.flush(); !written) {
     return written;
   }
-  if (target == m_impl->file) {
+  if (target == m_life->file) {
     return {};
   }
   // Copied under another name first: a full disk must not cost the file that is replaced.
@@ -118,87 +127,74 @@ Result<void> AngleDocument::saveAs(const QString& file) {
   if (!copy) {
     return std::unexpected(std::move(copy.error()));
   }
-  auto pendingOnReadOnly = m_impl->binding.takePending();
-  const QString former = m_impl->file;
+  auto pendingOnReadOnly = m_life->binding.takePending();
+  const QString former = m_life->file;
   const bool wasScratch = isScratch();
-  static_cast<void>(m_impl->binding.close()); // everything it held is in the copy
+  static_cast<void>(m_life->binding.close()); // everything it held is in the copy
   if (wasScratch) {
     ScratchFolder::remove(former);
-    m_impl->scratchLock.reset();
+    m_life->scratchLock.reset();
   }
-  m_impl->binding.attach(std::move(*copy));
-  m_impl->binding.putPending(std::move(pendingOnReadOnly));
-  m_impl->file = target;
+  m_life->binding.attach(std::move(*copy));
+  m_life->binding.putPending(std::move(pendingOnReadOnly));
+  m_life->file = target;
   emit titleChanged();
-  return m_impl->binding.flush();
+  return m_life->binding.flush();
 }
 
-Result<void> AngleDocument::close() {
+Result<void> CalibrationDocument::close() {
   if (!isOpen()) {
     return {};
   }
   if (isScratch() && !hasContent()) {
     return discard();
   }
-  if (auto written = m_impl->binding.flush(); !written) {
+  if (auto written = m_life->binding.flush(); !written) {
     return written; // stays open: what could not be written is still here
   }
-  auto closed = m_impl->binding.close();
-  m_impl->reset();
+  auto closed = m_life->binding.close();
+  forget();
   return closed;
 }
 
-Result<void> AngleDocument::abandon() {
-  m_impl->binding.dropPending();
-  auto closed = m_impl->binding.close();
-  m_impl->reset();
+Result<void> CalibrationDocument::abandon() {
+  m_life->binding.dropPending();
+  auto closed = m_life->binding.close();
+  forget();
   return closed;
 }
 
-Result<void> AngleDocument::discard() {
+Result<void> CalibrationDocument::discard() {
   const bool scratch = isScratch();
-  const QString former = m_impl->file;
-  m_impl->binding.dropPending();
-  auto closed = m_impl->binding.close();
+  const QString former = m_life->file;
+  m_life->binding.dropPending();
+  auto closed = m_life->binding.close();
   if (scratch) {
     ScratchFolder::remove(former); // while its lock is still held
   }
-  m_impl->reset();
+  forget();
   return closed;
 }
 
-bool AngleDocument::hasContent() const {
-  if (m_impl->calibration.sweep->size() > 0 || m_impl->verification->size() > 0 || m_impl->undo.count() > 0 ||
-      !m_impl->choicesAreDefault()) {
-    return true;
-  }
-  const auto* session = m_impl->binding.session();
-  if (session == nullptr) {
-    return false;
-  }
-  // A count that cannot be read is no proof of emptiness.
-  const auto samples = session->angleSampleCount(session::SweepRole::Calibration);
-  const auto fresh = session->angleSampleCount(session::SweepRole::Verification);
-  return !samples || !fresh || *samples > 0 || *fresh > 0;
-}
+bool CalibrationDocument::hasContent() const { return m_life->undo.count() > 0 || holdsContent(); }
 
-bool AngleDocument::hasUnsavedState() const {
+bool CalibrationDocument::hasUnsavedState() const {
   if (!isOpen()) {
     return false;
   }
-  return m_impl->binding.hasFailed() || m_impl->binding.hasPending() || (isScratch() && hasContent());
+  return m_life->binding.hasFailed() || m_life->binding.hasPending() || (isScratch() && hasContent());
 }
 
-bool AngleDocument::isReadOnly() const {
-  const auto* session = m_impl->binding.session();
+bool CalibrationDocument::isReadOnly() const {
+  const auto* session = m_life->binding.session();
   return session != nullptr && session->readOnly();
 }
 
-QString AngleDocument::displayName() const {
+QString CalibrationDocument::displayName() const {
   if (!isOpen() || isScratch()) {
     return tr("Untitled");
   }
-  return QFileInfo(m_impl->file).completeBaseName();
+  return QFileInfo(m_life->file).completeBaseName();
 }
 
 } // namespace straightedge::gui

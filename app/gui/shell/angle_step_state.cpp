@@ -1,4 +1,4 @@
-#include "app/gui/shell/step_state.h"
+#include "app/gui/shell/angle_step_state.h"
 
 #include "app/gui/document/angle_document.h"
 #include "app/gui/document/bench_link.h"
@@ -59,7 +59,7 @@ StepState verifyState(const AngleDocument& document) {
 
 } // namespace
 
-StepState stepState(std::size_t step, const AngleDocument& document, const BenchLink& bench) {
+StepState angleStepState(std::size_t step, const AngleDocument& document, const BenchLink& bench) {
   const StepProgress whenFitted = document.run() ? StepProgress::Done : StepProgress::Available;
   switch (step) {
   case 0:
