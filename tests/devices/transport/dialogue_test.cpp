@@ -171,7 +171,8 @@ TEST(Dialogue, ADamagedFileIsRefusedWithItsLine) {
   EXPECT_EQ(problem("PDF\n"), "log:1");
   EXPECT_EQ(problem("straightedge-dialogue 2\n"), "log:1");
   EXPECT_EQ(problem("straightedge-dialogue 1\n"), "log");
-  for (const char* line : {"x > a", "0 ? a", "0", "0 > \\q", "0 s ab", "0 x ab", "0 !< boom: what; remedy", "> a"}) {
+  for (const char* line : {"x > a", "0 ? a", "0", "0 > \\q", "0 s ab", "0 x ab", "nan > a", "-1 > a", "1e99 > a",
+                           "0 !< boom: what; remedy", "> a"}) {
     EXPECT_EQ(problem(("straightedge-dialogue 1\n0 > ok\n" + std::string(line) + "\n").c_str()), "log:3") << line;
   }
 }
