@@ -122,7 +122,8 @@ TEST_F(UsbTmcFaults, AMessageThatIsNotTakenTimesOutAndIsAborted) {
   const auto sent = m_transport->write("ECHO? stuck\n", tiny);
   ASSERT_FALSE(sent);
   EXPECT_EQ(sent.error().fault, TransportFault::TimedOut);
-  EXPECT_THAT(m_device->haltsCleared(UsbTmcDevice::out), Ge(1));
+  EXPECT_THAT(m_device->abortedOutTags(), ElementsAre(5));
+  EXPECT_THAT(m_device->haltsCleared(UsbTmcDevice::out), Ge(2)) << "by the clear at the beginning, and now";
   expectNextQueryWorks();
 }
 

@@ -75,6 +75,11 @@ std::vector<int> UsbTmcDevice::abortedTags() const {
   return m_abortedTags;
 }
 
+std::vector<int> UsbTmcDevice::abortedOutTags() const {
+  const auto held = lock();
+  return m_abortedOutTags;
+}
+
 int UsbTmcDevice::clears() const {
   const auto held = lock();
   return m_clears;

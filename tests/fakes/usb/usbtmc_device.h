@@ -64,6 +64,7 @@ public:
 
   std::vector<std::string> messages() const; ///< all that came, without line ends
   std::vector<int> abortedTags() const;      ///< of INITIATE_ABORT_BULK_IN
+  std::vector<int> abortedOutTags() const;   ///< of INITIATE_ABORT_BULK_OUT
   int clears() const;
   bool isRemote() const;
   bool isFaultDue() const; ///< true until the armed fault has happened
@@ -123,6 +124,7 @@ private:
   int m_requests = 0;
   std::vector<std::string> m_messages;
   std::vector<int> m_abortedTags;
+  std::vector<int> m_abortedOutTags;
 };
 
 } // namespace straightedge::fakes

@@ -106,6 +106,7 @@ std::optional<Bytes> UsbTmcDevice::abortOut(const ControlSetup& setup) {
     violation("abort of endpoint " + std::to_string(setup.index));
   }
   if (setup.request == 1) {
+    m_abortedOutTags.push_back(setup.value);
     expectLength(setup, 2);
     if (!m_neverTaking && m_transfer.empty()) {
       return Bytes{failed, m_lastTag.value_or(0)};
