@@ -1,5 +1,6 @@
 #include "app/cli/field_commands.h"
 
+#include "app/cli/field_apply_command.h"
 #include "app/cli/field_fit_command.h"
 #include "app/cli/field_verify_command.h"
 
@@ -9,6 +10,7 @@ void addFieldCommands(CLI::App& program, Work& work) {
   CLI::App* field = program.add_subcommand("field", "Calibrate a three-axis teslameter from a recorded campaign");
   field->require_subcommand(1);
   addFieldFitCommand(*field, work);
+  addFieldApplyCommand(*field, work);
   addFieldVerifyCommand(*field, work);
 }
 

@@ -209,8 +209,11 @@ Result<void> fitAxis(const std::vector<FitPoint>& points, std::size_t axis, cons
   report.peakAfterT = residuals.cwiseAbs().maxCoeff();
   report.points = points.size();
   if (variances.minCoeff() > 0.0) {
-    report.excess = std::sqrt((residuals.array().square() / variances.array()).sum() /
-                              static_cast<double>(problem.points() - problem.unknowns()));
+    const auto freedom = static_cast<double>(problem.points() - problem.unknowns());
+    report.excess = std::sqrt((residuals.array().square() / variances.array()).sum() / freedom);
+    if (report.excess * report.excess > 1.0 + 3.0 * std::sqrt(2.0 / freedom)) {
+      report.restT = std::sqrt(std::max(0.0, residuals.squaredNorm() / freedom - variances.mean()));
+    }
   }
   chain.axes[axis] = problem.chain();
   if (problem.fitsRow()) {

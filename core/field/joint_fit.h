@@ -59,6 +59,7 @@ struct JointAxisReport {
   double peakBeforeT = 0.0; ///< largest |residual| of a point
   double peakAfterT = 0.0;
   double excess = 1.0; ///< √(Σ (residual/its noise)²/freedom): above 1 where the polynomials cannot follow
+  double restT = 0.0;  ///< standard deviation of what is left beyond noise; 0 where noise explains it (three sigma)
   std::size_t points = 0;
   std::size_t rows = 0;
 };

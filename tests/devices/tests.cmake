@@ -42,4 +42,8 @@ straightedge_add_test(NAME devices_field_capture
 straightedge_add_test(NAME devices_field_kill
   SOURCES devices/field_kill_test.cpp
   LIBRARIES straightedge::devices
+
+straightedge_add_test(NAME devices_field_coverage
+  SOURCES devices/field_coverage_test.cpp
+  LIBRARIES straightedge::core straightedge::devices
   LABELS devices)

@@ -21,3 +21,9 @@ straightedge_add_test(NAME cli_field_apply
   SOURCES app/cli/field_correction_test.cpp core/field/sample_chain.cpp
   LIBRARIES straightedge::cli_commands
   LABELS cli)
+
+straightedge_add_test(NAME cli_field_apply_command
+  SOURCES app/cli/child_process.cpp app/cli/field_apply_command_test.cpp core/field/sample_chain.cpp
+  LIBRARIES straightedge::core
+  LABELS cli)
+add_dependencies(cli_field_apply_command straightedge-cli)

@@ -12,7 +12,8 @@ straightedge_add_test(NAME core_field_blocks
 
 # all blocks together
 straightedge_add_test(NAME core_field_joint
-  SOURCES core/field/joint_fit_test.cpp
+  SOURCES core/field/joint_fit_test.cpp core/field/sample_chain.cpp core/field/storage_test.cpp
+    core/field/uncertainty_test.cpp
   LIBRARIES straightedge::core
   LABELS core)
 
