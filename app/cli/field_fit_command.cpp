@@ -126,6 +126,11 @@ Result<int> fitField(const FieldFitArguments& arguments) {
     return std::unexpected(withPath(run.error(), loaded->campaign.name, arguments.campaign));
   }
   run->result.created = timeStampNow();
+  if (auto uncertainty = field::uncertaintyOf(*run)) {
+    run->result.uncertainty = *std::move(uncertainty);
+  } else {
+    printWarning("No uncertainty is stated: " + uncertainty.error().what + ".");
+  }
   for (const field::FieldWarning& warning : run->result.warnings) {
     printWarning(warning.text);
   }

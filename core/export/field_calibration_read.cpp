@@ -1,6 +1,7 @@
 #include "core/base/file_bytes.h"
 #include "core/export/calibration_head.h"
 #include "core/export/field_calibration_json.h"
+#include "core/export/field_uncertainty_json.h"
 #include "core/export/json_optional.h"
 #include "core/field/block_names.h"
 #include "core/field/names.h"
@@ -241,6 +242,7 @@ Result<FieldCalibration> fieldCalibrationFromJson(std::string_view text, const s
     // In the file the published states come first; here they stand in the chain's order.
     std::ranges::stable_sort(calibration.verification, {},
                              [](const VerificationRow& row) { return std::pair(row.axis, row.state); });
+    calibration.uncertainty = readFieldUncertainty(reader, root);
     readHowMade(reader, root, calibration);
   }
   if (const auto& problem = reader.problem()) {

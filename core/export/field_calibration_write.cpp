@@ -1,6 +1,7 @@
 #include "core/base/json_writer.h"
 #include "core/export/calibration_head.h"
 #include "core/export/field_calibration_json.h"
+#include "core/export/field_uncertainty_json.h"
 #include "core/field/block_names.h"
 #include "core/field/names.h"
 
@@ -208,6 +209,7 @@ std::string fieldCalibrationToJson(const FieldCalibration& calibration) {
   writeOrders(json, calibration.orders);
   writeVerification(json, "verification", calibration.verification, true);
   writeVerification(json, "verification_stages", calibration.verification, false);
+  writeFieldUncertainty(json, calibration.uncertainty);
   writeHowMade(json, calibration);
   json.endObject();
   return json.take();

@@ -3,6 +3,7 @@
 
 #include "core/base/traceability.h"
 #include "core/field/campaign.h"
+#include "core/field/uncertainty_summary.h"
 
 #include <Eigen/Core>
 
@@ -136,7 +137,8 @@ struct FieldCalibration {
   Traceability traceability;
   CorrectionChain chain;
   std::vector<OrderError> orders;
-  std::vector<VerificationRow> verification; ///< empty where the campaign has no verification rows
+  std::vector<VerificationRow> verification;     ///< empty where the campaign has no verification rows
+  std::optional<UncertaintySummary> uncertainty; ///< nothing where the campaign does not bear one
   // How it was made
   FitMethod method = FitMethod::Stepwise;
   std::string jointHow;                              ///< of a joint fit: one sentence

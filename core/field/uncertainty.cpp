@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -16,6 +17,22 @@ double cumulative(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); 
 double density(double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * std::numbers::pi); }
 
 Eigen::Vector3d root(const Eigen::Vector3d& squares) { return squares.cwiseMax(0.0).cwiseSqrt(); }
+
+TemperatureRange rangeOf(const FitPoints& points) {
+  TemperatureRange range;
+  for (const std::vector<FitPoint>& axis : points.axes) {
+    for (const FitPoint& point : axis) {
+      if (point.step == CampaignStep::Sensitivity) {
+        range.probeLowC = std::min(range.probeLowC, point.probeC);
+        range.probeHighC = std::max(range.probeHighC, point.probeC);
+      } else if (point.step == CampaignStep::ElectronicsSensitivity) {
+        range.electronicsLowC = std::min(range.electronicsLowC, point.electronicsC);
+        range.electronicsHighC = std::max(range.electronicsHighC, point.electronicsC);
+      }
+    }
+  }
+  return range;
+}
 
 } // namespace
 
@@ -42,9 +59,11 @@ double halfWidth95(double mean, double sigma) {
 }
 
 FieldUncertainty::FieldUncertainty(CorrectionChain chain, AppliedChain applied, JointReport closest,
-                                   const ReadingNoise& noise, const FieldUncertaintyInputs& inputs)
+                                   const ReadingNoise& noise, const FieldUncertaintyInputs& inputs,
+                                   const TemperatureRange& range)
     : m_chain(std::move(chain)), m_applied(std::move(applied)), m_closest(std::move(closest)), m_noise(noise),
-      m_inputs(inputs), m_inverse(m_closest.chain.axisMatrix.value_or(Eigen::Matrix3d::Identity()).inverse()) {}
+      m_inputs(inputs), m_range(range),
+      m_inverse(m_closest.chain.axisMatrix.value_or(Eigen::Matrix3d::Identity()).inverse()) {}
 
 Result<FieldUncertainty> FieldUncertainty::of(const CampaignParts& parts, const CorrectionChain& chain,
                                               const FieldUncertaintyInputs& inputs, const std::string& name) {
@@ -52,7 +71,8 @@ Result<FieldUncertainty> FieldUncertainty::of(const CampaignParts& parts, const 
   if (!applied) {
     return std::unexpected(std::move(applied.error()));
   }
-  auto closest = fitClosely(fitPoints(parts, chain), chain, name);
+  const FitPoints points = fitPoints(parts, chain);
+  auto closest = fitClosely(points, chain, name);
   if (!closest) {
     return std::unexpected(std::move(closest.error()));
   }
@@ -63,7 +83,7 @@ Result<FieldUncertainty> FieldUncertainty::of(const CampaignParts& parts, const 
     }
   }
   return FieldUncertainty(chain, *std::move(applied), *std::move(closest), readingNoise(parts, chain.fullScaleT),
-                          inputs);
+                          inputs, rangeOf(points));
 }
 
 Result<FieldUncertainty> FieldUncertainty::forChain(const CorrectionChain& chain) const {
@@ -71,7 +91,7 @@ Result<FieldUncertainty> FieldUncertainty::forChain(const CorrectionChain& chain
   if (!applied) {
     return std::unexpected(std::move(applied.error()));
   }
-  return FieldUncertainty(chain, *std::move(applied), m_closest, m_noise, m_inputs);
+  return FieldUncertainty(chain, *std::move(applied), m_closest, m_noise, m_inputs, m_range);
 }
 
 ReadingUncertainty FieldUncertainty::at(const Reading& reading) const {

@@ -48,6 +48,12 @@ struct ReadingUncertainty {
   Eigen::Vector3d expandedT = Eigen::Vector3d::Zero(); ///< U, 95 %
 };
 
+/// Temperatures that the campaign covers, minus the reference temperature; 0 where none was swept.
+struct TemperatureRange {
+  double probeLowC = 0.0, probeHighC = 0.0;
+  double electronicsLowC = 0.0, electronicsHighC = 0.0;
+};
+
 /// Half width of the interval about 0 that a normal quantity of this mean and deviation lies in with 95 %.
 double halfWidth95(double mean, double sigma);
 
@@ -72,16 +78,18 @@ public:
   const JointReport& closest() const { return m_closest; }
   const ReadingNoise& noise() const { return m_noise; }
   const FieldUncertaintyInputs& inputs() const { return m_inputs; }
+  const TemperatureRange& range() const { return m_range; }
 
 private:
   FieldUncertainty(CorrectionChain chain, AppliedChain applied, JointReport closest, const ReadingNoise& noise,
-                   const FieldUncertaintyInputs& inputs);
+                   const FieldUncertaintyInputs& inputs, const TemperatureRange& range);
 
   CorrectionChain m_chain;
   AppliedChain m_applied;
   JointReport m_closest;
   ReadingNoise m_noise;
   FieldUncertaintyInputs m_inputs;
+  TemperatureRange m_range;
   Eigen::Matrix3d m_inverse; ///< of the closest fit's S
 };
 

@@ -42,6 +42,7 @@ straightedge_add_test(NAME devices_field_capture
 straightedge_add_test(NAME devices_field_kill
   SOURCES devices/field_kill_test.cpp
   LIBRARIES straightedge::devices
+  LABELS devices)
 
 straightedge_add_test(NAME devices_field_coverage
   SOURCES devices/field_coverage_test.cpp

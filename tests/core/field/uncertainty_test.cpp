@@ -1,3 +1,5 @@
+#include "core/export/field_calibration_json.h"
+#include "core/field/field_fit.h"
 #include "core/field/uncertainty.h"
 #include "tests/core/field/example_campaign.h"
 #include "tests/core/field/stepwise_chain.h"
@@ -78,6 +80,31 @@ TEST_F(ExampleUncertainty, holdsInTheVerification) {
     }
   }
   EXPECT_GT(within, 0.93 * all);
+}
+
+TEST(UncertaintySummary, saysWhereItIsLargestAndWhatItIsMadeOf) {
+  auto run = calibrateField(exampleCampaign(), {.method = FitMethod::Joint}, {});
+  ASSERT_TRUE(run);
+  run->result.traceability.reference.uncertainty = 20e-6;
+  const auto summary = uncertaintyOf(*run);
+  ASSERT_TRUE(summary) << summary.error().message();
+  EXPECT_EQ(summary->referenceRelative, 5e-6);
+  EXPECT_EQ(summary->shares.size(), 7U);
+  EXPECT_EQ(summary->grid.size(), 3U * 5U * 17U);
+  EXPECT_GT(summary->largestT, 1e-4);
+  EXPECT_LT(summary->largestT, 3e-4) << "0.015 % of full scale";
+  EXPECT_LT(summary->medianT, summary->largestT);
+  for (const UncertaintyAt& at : summary->grid) {
+    EXPECT_LE(at.expandedT, summary->largestT);
+    EXPECT_GT(at.expandedT, 5e-6) << "a single reading's noise alone";
+  }
+  run->result.uncertainty = *summary;
+  const auto read = exporting::fieldCalibrationFromJson(exporting::fieldCalibrationToJson(run->result), "c.json");
+  ASSERT_TRUE(read) << read.error().message();
+  ASSERT_TRUE(read->uncertainty);
+  EXPECT_EQ(read->uncertainty->largestT, summary->largestT);
+  EXPECT_EQ(read->uncertainty->shares.back().name, "reference");
+  EXPECT_EQ(read->uncertainty->grid.back().expandedT, summary->grid.back().expandedT);
 }
 
 TEST_F(ExampleUncertainty, refusals) {
