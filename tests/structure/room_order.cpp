@@ -34,8 +34,11 @@ const std::vector<Room>& rooms() {
       {"app/gui/figures", {"core/", "app/gui/plots"}},
       {"app/gui/document", {"core/", "devices/", "app/gui/jobs"}},
       {"app/gui/steps", {"core/", "devices/", "app/gui/jobs", "app/gui/document", "app/gui/plots", "app/gui/figures"}},
-      {"app/gui/shell",
+      {"app/gui/field_steps",
        {"core/", "devices/", "app/gui/jobs", "app/gui/document", "app/gui/plots", "app/gui/figures", "app/gui/steps"}},
+      {"app/gui/shell",
+       {"core/", "devices/", "app/gui/jobs", "app/gui/document", "app/gui/plots", "app/gui/figures", "app/gui/steps",
+        "app/gui/field_steps"}},
       {"app/gui",
        {"core/", "devices/", "app/gui/shell", "app/gui/figures", "app/gui/document", "app/gui/jobs", "app/gui/steps"}},
   };

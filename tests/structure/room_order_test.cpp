@@ -55,6 +55,8 @@ TEST(RoomOrder, WrongIncludesAreFound) {
            Case{"app/cli/a.cpp", "#include <QString>"},
            Case{"app/gui/figures/a.cpp", "#include <vtkChartXY.h>"},
            Case{"app/gui/figures/a.cpp", "#include \"app/gui/document/angle_document.h\""},
+           Case{"app/gui/steps/a.cpp", "#include \"app/gui/field_steps/field_step_pages.h\""},
+           Case{"app/gui/field_steps/a.cpp", "#include \"app/gui/shell/workspace.h\""},
            Case{"app/gui/plots/a.cpp", "#include \"core/angle/curve.h\""},
            Case{"core/angle/a.cpp", "#include <sqlite3.h>"},
            Case{"devices/instruments/a.cpp", "#include <libusb-1.0/libusb.h>"},

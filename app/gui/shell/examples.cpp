@@ -14,7 +14,9 @@ QList<Example> examples() {
           {":/examples/side_shaft_two_turns.csv", sayExample("Side-shaft magnet, two turns, both directions"),
            sayExample("Simulated; shows hysteresis and repeatability")},
           {":/examples/on_axis_64.csv", sayExample("Magnet on the shaft's end, 64 points"),
-           sayExample("Simulated; a small correction")}};
+           sayExample("Simulated; a small correction")},
+          {":/examples/hall_probe_campaign.csv", sayExample("Hall teslameter, a short campaign"),
+           sayExample("Simulated; field calibration with every stage")}};
 }
 
 } // namespace straightedge::gui

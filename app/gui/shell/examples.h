@@ -1,4 +1,4 @@
-// Example sweeps that are part of the program.
+// Example sweeps and campaigns that are part of the program.
 #pragma once
 
 #include <QList>

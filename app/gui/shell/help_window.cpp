@@ -21,7 +21,7 @@ struct Page {
   const char* stem;
   const char* title;
 };
-constexpr std::array<Page, 11> pages{{{"start", QT_TRANSLATE_NOOP("HelpWindow", "Overview")},
+constexpr std::array<Page, 12> pages{{{"start", QT_TRANSLATE_NOOP("HelpWindow", "Overview")},
                                       {"connect", QT_TRANSLATE_NOOP("HelpWindow", "1  Connect")},
                                       {"capture", QT_TRANSLATE_NOOP("HelpWindow", "2  Capture")},
                                       {"review", QT_TRANSLATE_NOOP("HelpWindow", "3  Review")},
@@ -29,6 +29,7 @@ constexpr std::array<Page, 11> pages{{{"start", QT_TRANSLATE_NOOP("HelpWindow", 
                                       {"compare", QT_TRANSLATE_NOOP("HelpWindow", "5  Compare")},
                                       {"verify", QT_TRANSLATE_NOOP("HelpWindow", "6  Verify")},
                                       {"export", QT_TRANSLATE_NOOP("HelpWindow", "7  Export")},
+                                      {"field", QT_TRANSLATE_NOOP("HelpWindow", "Field calibration")},
                                       {"method", QT_TRANSLATE_NOOP("HelpWindow", "The method")},
                                       {"files", QT_TRANSLATE_NOOP("HelpWindow", "Files and command line")},
                                       {"keyboard", QT_TRANSLATE_NOOP("HelpWindow", "Keyboard")}}};

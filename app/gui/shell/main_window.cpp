@@ -1,6 +1,7 @@
 #include "app/gui/shell/main_window.h"
 
 #include "app/gui/shell/details_dialog.h"
+#include "app/gui/shell/field_workspace.h"
 #include "app/gui/shell/help_window.h"
 #include "app/gui/shell/job_status.h"
 #include "app/gui/shell/line_icon.h"
@@ -40,10 +41,12 @@ MainWindow::MainWindow(std::unique_ptr<WindowPrompts> prompts, QWidget* parent)
 MainWindow::~MainWindow() {
   // Pages refer to the calibration, the bench and the jobs, which are members and would go first.
   delete takeCentralWidget();
-  for (auto& [workspace, pages] : m_stepPages) {
-    workspace->disconnect(this);
+  for (Workspace* workspace : {static_cast<Workspace*>(m_angle.get()), static_cast<Workspace*>(m_field.get())}) {
+    if (workspace != nullptr) {
+      workspace->disconnect(this);
+      workspace->document().disconnect(this);
+    }
   }
-  m_angle->document().disconnect(this);
   m_jobs.disconnect(this);
 }
 
@@ -61,6 +64,7 @@ void MainWindow::makePages() {
   m_start = new StartPage(m_recent, m_outer);
   m_outer->addWidget(m_start);
   connect(m_start, &StartPage::newCalibration, this, &MainWindow::newCalibration);
+  connect(m_start, &StartPage::newFieldCalibration, this, &MainWindow::newFieldCalibration);
   connect(m_start, &StartPage::openFile, this, &MainWindow::openDialog);
   connect(m_start, &StartPage::simulatedBench, this, &MainWindow::startSimulatedBench);
   connect(m_start, &StartPage::openExample, this, &MainWindow::openExample);
@@ -127,6 +131,14 @@ void MainWindow::connectWorkspace(Workspace& workspace) {
   });
   connect(&workspace, &Workspace::dataReady, this,
           [this, &workspace](const ReadyData& ready) { takeData(workspace, ready); });
+}
+
+FieldWorkspace& MainWindow::field() {
+  if (!m_field) {
+    m_field = std::make_unique<FieldWorkspace>(m_jobs);
+    connectWorkspace(*m_field);
+  }
+  return *m_field;
 }
 
 void MainWindow::use(Workspace& workspace) {

@@ -22,6 +22,7 @@ class QStackedWidget;
 
 namespace straightedge::gui {
 
+class FieldWorkspace;
 class HelpWindow;
 class ImportDialog;
 class MessageBar;
@@ -38,6 +39,7 @@ public:
   Workspace& workspace() { return *m_workspace; } ///< the kind of calibration that is open, or was last
   AngleDocument& document() { return m_angle->document(); }
   BenchLink& bench() { return m_angle->bench(); }
+  FieldWorkspace& field(); ///< made when first asked for
   JobRunner& jobs() { return m_jobs; }
   MessageBar& messages() { return *m_messages; }
   StepBar& stepBar() { return *m_stepBar; }
@@ -47,10 +49,12 @@ public:
   HelpWindow* helpWindow() const;
 
 public slots:
-  void newCalibration();
+  void newCalibration(); ///< of an angle sensor
+  void newFieldCalibration();
   void startSimulatedBench(); ///< a new calibration with the simulated bench connected, on Capture
   void openDialog();
-  bool openFile(const QString& file); ///< a session, or a sweep to import; false where it was refused at once
+  bool
+  openFile(const QString& file); ///< a session, or a sweep or campaign to import; false where it was refused at once
   void openExample(const QString& resource);
   void importDialogForFile(); ///< asks for a CSV file first
   void importCsv(const QString& file);
@@ -110,7 +114,8 @@ private:
   std::unique_ptr<WindowPrompts> m_prompts;
   JobRunner m_jobs;
   std::unique_ptr<AngleWorkspace> m_angle;
-  Workspace* m_workspace = nullptr; ///< never null
+  std::unique_ptr<FieldWorkspace> m_field; ///< null until first needed
+  Workspace* m_workspace = nullptr;        ///< never null
   QUndoGroup m_undo;
   RecentFiles m_recent;
 

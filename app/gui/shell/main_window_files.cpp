@@ -1,5 +1,7 @@
 // Opening, importing, saving, closing.
 #include "app/gui/document/scratch_folder.h"
+#include "app/gui/shell/data_kind.h"
+#include "app/gui/shell/field_workspace.h"
 #include "app/gui/shell/main_window.h"
 #include "app/gui/shell/message_bar.h"
 #include "app/gui/shell/start_page.h"
@@ -41,7 +43,12 @@ QString MainWindow::folderForDialogs() const {
   return last.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : last;
 }
 
-Workspace& MainWindow::workspaceOf(session::SessionKind) { return *m_angle; }
+Workspace& MainWindow::workspaceOf(session::SessionKind kind) {
+  if (kind == session::SessionKind::Field) {
+    return field();
+  }
+  return *m_angle;
+}
 
 bool MainWindow::begin(Workspace& workspace) {
   if (!leaveCalibration()) {
@@ -58,6 +65,8 @@ bool MainWindow::begin(Workspace& workspace) {
 }
 
 void MainWindow::newCalibration() { begin(*m_angle); }
+
+void MainWindow::newFieldCalibration() { begin(field()); }
 
 void MainWindow::startSimulatedBench() {
   if (!begin(*m_angle)) {
@@ -85,14 +94,14 @@ bool MainWindow::openFile(const QString& file) {
     return false;
   }
   if (info.isDir()) {
-    complain({ErrorKind::Input, "this is a folder", "choose a calibration (.sedge) or a sweep (.csv) in it",
+    complain({ErrorKind::Input, "this is a folder", "choose a calibration (.sedge), a sweep or a campaign (.csv) in it",
               file.toStdString()});
     return false;
   }
   if (isSession(file)) {
     return openSession(info.absoluteFilePath());
   }
-  importCsv(info.absoluteFilePath()); // anything else is looked at: the preview says why it is no sweep
+  importCsv(info.absoluteFilePath()); // anything else is looked at: the reader says why it is no data
   return true;
 }
 
@@ -132,8 +141,9 @@ void MainWindow::openExample(const QString& resource) {
               resource.toStdString()});
     return;
   }
-  auto& workspace = workspaceOf(session::SessionKind::Angle);
-  auto ready = workspace.readExample(file.readAll().toStdString(), QFileInfo(resource).fileName());
+  const QByteArray bytes = file.readAll();
+  auto& workspace = workspaceOf(dataKindOf(bytes));
+  auto ready = workspace.readExample(bytes.toStdString(), QFileInfo(resource).fileName());
   if (!ready) {
     complain(ready.error());
     return;
@@ -151,7 +161,8 @@ void MainWindow::importDialogForFile() {
 
 void MainWindow::importCsv(const QString& file) {
   m_messages->dismiss();
-  workspaceOf(session::SessionKind::Angle).importFile(file, m_currentStep, *this);
+  auto& workspace = workspaceOf(dataKindOfFile(file));
+  workspace.importFile(file, &workspace == m_workspace ? m_currentStep : -1, *this);
 }
 
 void MainWindow::takeData(Workspace& workspace, const ReadyData& ready) {

@@ -29,6 +29,8 @@ void MainWindow::makeMenus() {
 void MainWindow::makeFileMenu() {
   auto* menu = menuBar()->addMenu(tr("&File"));
   menu->addAction(lineIcon("new"), tr("&New Angle Calibration"), QKeySequence::New, this, &MainWindow::newCalibration);
+  menu->addAction(lineIcon("new"), tr("New &Field Calibration"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_N), this,
+                  &MainWindow::newFieldCalibration);
   menu->addAction(lineIcon("bench"), tr("New on the Simulated &Bench"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
                   this, &MainWindow::startSimulatedBench);
   menu->addAction(lineIcon("open"), tr("&Open…"), QKeySequence::Open, this, &MainWindow::openDialog);

@@ -71,8 +71,9 @@ StartPage::StartPage(RecentFiles& recent, QWidget* parent) : QWidget(parent), m_
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(4);
   rows->addWidget(heading("Straightedge", 2.0, content));
-  auto* subtitle = new QLabel(tr("Calibrate an angle sensor against a reference encoder, and see what each way of "
-                                 "storing the correction costs and leaves."),
+  auto* subtitle = new QLabel(tr("Calibrate an angle sensor against a reference encoder, or a three-axis Hall "
+                                 "teslameter against a reference field, and see what each way of storing the "
+                                 "correction costs and leaves."),
                               content);
   subtitle->setWordWrap(true);
   subtitle->setForegroundRole(QPalette::PlaceholderText);
@@ -102,7 +103,10 @@ QWidget* StartPage::makeActions() {
   };
   card("new", tr("&New angle calibration"), tr("Capture a sweep, or import one from a CSV file"),
        &StartPage::newCalibration, "startNew");
-  card("open", tr("&Open…"), tr("A calibration (.sedge) or a sweep (.csv)"), &StartPage::openFile, "startOpen");
+  card("new", tr("New fiel&d calibration"), tr("Of a three-axis teslameter; or import a campaign from a CSV file"),
+       &StartPage::newFieldCalibration, "startNewField");
+  card("open", tr("&Open…"), tr("A calibration (.sedge), a sweep or a campaign (.csv)"), &StartPage::openFile,
+       "startOpen");
   card("bench", tr("&Simulated bench"), tr("Try the whole way without hardware"), &StartPage::simulatedBench,
        "startSimulated");
   layout->addSpacing(12);

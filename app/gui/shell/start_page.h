@@ -18,6 +18,7 @@ public:
 
 signals:
   void newCalibration();
+  void newFieldCalibration();
   void openFile();
   void simulatedBench();
   void openExample(const QString& resource);

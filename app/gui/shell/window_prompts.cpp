@@ -68,8 +68,9 @@ bool DialogPrompts::confirmDelete(QWidget* parent, const QString& what) {
 
 QString DialogPrompts::askOpenFile(QWidget* parent, const QString& folder) {
   return QFileDialog::getOpenFileName(parent, sayPrompt("Open"), folder,
-                                      sayPrompt("Calibrations and sweeps (*.sedge *.csv *.tsv *.txt);;"
-                                                "Calibrations (*.sedge);;Sweeps (*.csv *.tsv *.txt);;All files (*)"));
+                                      sayPrompt("Calibrations, sweeps and campaigns (*.sedge *.csv *.tsv *.txt);;"
+                                                "Calibrations (*.sedge);;Sweeps and campaigns (*.csv *.tsv *.txt);;"
+                                                "All files (*)"));
 }
 
 QString DialogPrompts::askSaveFile(QWidget* parent, const QString& suggestion) {
@@ -82,8 +83,8 @@ QString DialogPrompts::askSaveFile(QWidget* parent, const QString& suggestion) {
 }
 
 QString DialogPrompts::askCsvFile(QWidget* parent, const QString& folder) {
-  return QFileDialog::getOpenFileName(parent, sayPrompt("Import sweep"), folder,
-                                      sayPrompt("Sweeps (*.csv *.tsv *.txt);;All files (*)"));
+  return QFileDialog::getOpenFileName(parent, sayPrompt("Import sweep or campaign"), folder,
+                                      sayPrompt("Sweeps and campaigns (*.csv *.tsv *.txt);;All files (*)"));
 }
 
 } // namespace straightedge::gui

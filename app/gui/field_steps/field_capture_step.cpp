@@ -1,0 +1,10 @@
+#include "app/gui/field_steps/field_step_pages.h"
+#include "app/gui/steps/placeholder_step.h"
+
+namespace straightedge::gui {
+
+StepPage* makeFieldCaptureStep(FieldStepContext, QWidget* parent) {
+  return new PlaceholderStep(QStringLiteral("Capture"), QStringLiteral("field"), parent);
+}
+
+} // namespace straightedge::gui
