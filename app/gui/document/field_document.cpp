@@ -11,6 +11,7 @@ FieldDocument::FieldDocument(JobRunner& jobs, QObject* parent)
     : CalibrationDocument(parent), m_impl(std::make_unique<Impl>(*this, jobs)) {
   connect(&m_impl->recompute, &FieldRecompute::runChanged, this, [this] { m_impl->keepRun(); });
   connect(&m_impl->recompute, &FieldRecompute::runChanged, this, &FieldDocument::runChanged);
+  connect(&m_impl->recompute, &FieldRecompute::comparisonChanged, this, &FieldDocument::comparisonChanged);
   connect(&m_impl->recompute, &FieldRecompute::verificationChanged, this, &FieldDocument::verificationChanged);
 }
 
@@ -36,6 +37,14 @@ const devices::FieldPlan& FieldDocument::plan() const { return m_impl->plan; }
 std::shared_ptr<const field::FieldRun> FieldDocument::run() const { return m_impl->recompute.run; }
 
 const std::optional<Error>& FieldDocument::runError() const { return m_impl->recompute.runError; }
+
+std::shared_ptr<const field::StorageComparison> FieldDocument::comparison() const {
+  return m_impl->recompute.comparison;
+}
+
+bool FieldDocument::comparisonIsCurrent() const { return m_impl->recompute.comparisonIsCurrent; }
+
+void FieldDocument::setComparisonWanted(bool wanted) { m_impl->recompute.setComparisonWanted(wanted); }
 
 const std::optional<field::LimitReport>& FieldDocument::verification() const { return m_impl->recompute.verification; }
 

@@ -5,6 +5,7 @@
 #include "app/gui/document/field_choices.h"
 #include "core/field/campaign.h"
 #include "core/field/field_fit.h"
+#include "core/field/storage.h"
 #include "core/field/verification.h"
 #include "devices/capture/field_plan.h"
 
@@ -59,6 +60,11 @@ public:
   /// Fit report, all blocks, verification before and after each block, warnings of blocks that are off.
   std::shared_ptr<const field::FieldRun> run() const;
   const std::optional<Error>& runError() const; ///< why the campaign was refused
+  /// Orders of the blocks against what they leave; null until computed. It takes many fits, so it is made, and made
+  /// anew after every run, only while it is wanted: the step that shows it says so when it is shown and left.
+  std::shared_ptr<const field::StorageComparison> comparison() const;
+  bool comparisonIsCurrent() const; ///< made from the present run, and not from the one before
+  void setComparisonWanted(bool wanted);
   /// Against the limit: of the fresh campaign, else of the calibration campaign's own verification rows.
   const std::optional<field::LimitReport>& verification() const;
   bool verificationIsFresh() const;
@@ -69,6 +75,7 @@ signals:
   void choicesChanged();
   void planChanged();
   void runChanged();
+  void comparisonChanged();
   void verificationCampaignChanged();
   void verificationChanged();
 

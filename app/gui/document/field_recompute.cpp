@@ -16,6 +16,7 @@ namespace {
 
 // Keys of the jobs: a new one of a key overtakes the one that still runs.
 const QString fieldFitJob = QStringLiteral("field-fit");
+const QString fieldCompareJob = QStringLiteral("field-compare");
 const QString fieldVerifyJob = QStringLiteral("field-verify");
 
 std::optional<field::Block> blockOf(field::CampaignStep step) {
@@ -76,7 +77,13 @@ FieldRecompute::FieldRecompute(JobRunner& jobs, QObject* parent) : QObject(paren
 
 FieldRecompute::~FieldRecompute() {
   m_jobs.cancel(fieldFitJob); // their results would come back to nobody
+  m_jobs.cancel(fieldCompareJob);
   m_jobs.cancel(fieldVerifyJob);
+}
+
+void FieldRecompute::setComparisonWanted(bool wanted) {
+  m_comparisonWanted = wanted;
+  compare();
 }
 
 void FieldRecompute::setInputs(FieldInputs inputs) {
@@ -139,6 +146,12 @@ void FieldRecompute::calibrate() {
         if (!result) {
           return std::unexpected(std::move(result.error()));
         }
+        if (auto uncertainty = field::uncertaintyOf(*result)) {
+          result->result.uncertainty = std::move(*uncertainty);
+        } else {
+          result->result.warnings.push_back(
+              {field::Block::Nonlinearity, "No uncertainty is stated: " + uncertainty.error().what + "."});
+        }
         result->result.source = sourceOf(*inputs.campaign, inputs.fileName);
         result->result.created = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
         return std::make_shared<const field::FieldRun>(std::move(*result));
@@ -151,9 +164,42 @@ void FieldRecompute::calibrate() {
         }
         run = std::move(*result);
         runError.reset();
+        comparisonIsCurrent = false;
         emit runChanged();
+        compare();
         m_verificationStale = false;
         verify();
+      });
+}
+
+void FieldRecompute::compare() {
+  if (!m_comparisonWanted) {
+    m_jobs.cancel(fieldCompareJob);
+    if (!comparisonIsCurrent) {
+      m_compared.reset(); // what was cancelled begins anew when it is wanted again
+    }
+    return;
+  }
+  if (!run || m_compared == run) {
+    return;
+  }
+  m_compared = run;
+  using Shared = std::shared_ptr<const field::StorageComparison>;
+  m_jobs.run<Shared>(
+      fieldCompareJob, tr("Comparing orders"),
+      [from = run](const JobControl& control) -> Result<Shared> {
+        auto compared = field::compareStorage(*from, control);
+        if (!compared) {
+          return std::unexpected(std::move(compared.error()));
+        }
+        return std::make_shared<const field::StorageComparison>(std::move(*compared));
+      },
+      [this](Result<Shared> result) {
+        if (result) {
+          comparison = std::move(*result);
+          comparisonIsCurrent = true;
+          emit comparisonChanged();
+        }
       });
 }
 
@@ -185,11 +231,18 @@ void FieldRecompute::verify() {
 }
 
 void FieldRecompute::dropRun(std::optional<Error> why) {
+  m_jobs.cancel(fieldCompareJob);
+  m_compared.reset();
+  comparisonIsCurrent = false;
+  const bool hadComparison = std::exchange(comparison, nullptr) != nullptr;
   const bool changed = run || runError || why;
   run.reset();
   runError = std::move(why);
   if (changed) {
     emit runChanged();
+  }
+  if (hadComparison) {
+    emit comparisonChanged();
   }
 }
 

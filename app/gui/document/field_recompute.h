@@ -6,6 +6,7 @@
 #include "core/base/traceability.h"
 #include "core/field/campaign.h"
 #include "core/field/field_fit.h"
+#include "core/field/storage.h"
 #include "core/field/verification.h"
 
 #include <QObject>
@@ -39,20 +40,25 @@ public:
 
   void setInputs(FieldInputs inputs);
   void clear(); ///< another calibration: forget everything
+  void setComparisonWanted(bool wanted);
 
   std::shared_ptr<const field::FieldRun> run;
   std::optional<Error> runError;
+  std::shared_ptr<const field::StorageComparison> comparison;
+  bool comparisonIsCurrent = false; ///< made from `run`
   std::optional<field::LimitReport> verification;
   bool verificationIsFresh = false;
   std::optional<Error> verificationError;
 
 signals:
   void runChanged();
+  void comparisonChanged();
   void verificationChanged();
 
 private:
   void start();
   void calibrate();
+  void compare();
   void verify();
   void dropRun(std::optional<Error> why);
   void dropVerification();
@@ -60,6 +66,8 @@ private:
   JobRunner& m_jobs;
   QTimer m_soon;
   FieldInputs m_inputs;
+  std::shared_ptr<const field::FieldRun> m_compared; ///< what the comparison was, or is being, made from
+  bool m_comparisonWanted = false;
   bool m_runStale = false;
   bool m_verificationStale = false;
 };

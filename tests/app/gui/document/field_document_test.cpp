@@ -40,6 +40,7 @@ private slots:
   void aRefusedCampaignSaysWhy();
   void verificationFollowsTheLimit();
   void aFreshCampaignIsVerifiedInstead();
+  void comparisonIsMadeWhileWanted();
   void detailsTravelWithTheResult();
 
 private:
@@ -343,6 +344,8 @@ void FieldDocumentTest::aBlockSwitchedOffIsOff() {
 void FieldDocumentTest::recomputeFollowsChoices() {
   openWithCampaign();
   QCOMPARE(m_document->run()->result.order, 5);
+  QVERIFY(m_document->run()->result.uncertainty);
+  QVERIFY(m_document->run()->result.uncertainty->largestT > 0.0);
   QVERIFY(!m_document->run()->result.created.empty());
   QVERIFY(!m_document->run()->joint);
   FieldChoices choices;
@@ -413,6 +416,33 @@ void FieldDocumentTest::aFreshCampaignIsVerifiedInstead() {
   waitUntilIdle();
   QVERIFY(!m_document->verification());
   QVERIFY(m_document->verificationError());
+}
+
+void FieldDocumentTest::comparisonIsMadeWhileWanted() {
+  openWithCampaign();
+  QVERIFY(!m_document->comparison()); // nobody has asked
+  m_document->setComparisonWanted(true);
+  m_document->setComparisonWanted(false); // cancelled before it could end
+  m_document->setComparisonWanted(true);
+  waitUntilIdle();
+  QVERIFY(m_document->comparison());
+  QVERIFY(m_document->comparisonIsCurrent());
+  const auto first = m_document->comparison();
+  QVERIFY(first->choices.size() > 7);
+  m_document->setComparisonWanted(true); // is there already
+  QVERIFY(!m_jobs->busy());
+  m_document->setComparisonWanted(false);
+  m_document->setRowsEnabled({0}, false);
+  waitUntilIdle();
+  QCOMPARE(m_document->comparison(), first);
+  QVERIFY(!m_document->comparisonIsCurrent());
+  m_document->setComparisonWanted(true);
+  waitUntilIdle();
+  QVERIFY(m_document->comparisonIsCurrent());
+  QVERIFY(m_document->comparison() != first);
+  m_document->setCampaign({}, "nothing");
+  waitUntilIdle();
+  QVERIFY(!m_document->comparison());
 }
 
 void FieldDocumentTest::detailsTravelWithTheResult() {
