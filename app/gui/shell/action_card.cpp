@@ -8,7 +8,7 @@ namespace straightedge::gui {
 
 namespace {
 constexpr int iconExtent = 26;
-constexpr int padding = 14;
+constexpr int cardPadding = 14;
 } // namespace
 
 ActionCard::ActionCard(const QString& icon, const QString& title, const QString& description, QWidget* parent)
@@ -33,8 +33,9 @@ QSize ActionCard::sizeHint() const {
   const QFontMetrics body(font());
   QString plain = text();
   plain.remove('&');
-  return {3 * padding + iconExtent + qMax(title.horizontalAdvance(plain), body.horizontalAdvance(m_description)) + 4,
-          2 * padding + title.height() + body.height() + 2};
+  return {3 * cardPadding + iconExtent + qMax(title.horizontalAdvance(plain), body.horizontalAdvance(m_description)) +
+              4,
+          2 * cardPadding + title.height() + body.height() + 2};
 }
 
 QSize ActionCard::minimumSizeHint() const { return {220, sizeHint().height()}; }
@@ -52,13 +53,13 @@ void ActionCard::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(underMouse() || hasFocus() ? accent : palette().color(QPalette::Mid), hasFocus() ? 1.5 : 1.0));
   painter.drawRoundedRect(area, 7, 7);
 
-  const QRectF icon(padding + 2, (height() - iconExtent) / 2.0, iconExtent, iconExtent);
+  const QRectF icon(cardPadding + 2, (height() - iconExtent) / 2.0, iconExtent, iconExtent);
   paintLineIcon(painter, icon, m_icon, accent);
-  const int left = 2 * padding + iconExtent + 4;
+  const int left = 2 * cardPadding + iconExtent + 4;
   const QFontMetrics title(titleFont());
   const QFontMetrics body(font());
   const int top = (height() - title.height() - body.height() - 2) / 2;
-  const int room = width() - left - padding;
+  const int room = width() - left - cardPadding;
   painter.setFont(titleFont());
   painter.setPen(palette().color(QPalette::Text));
   painter.drawText(QRect(left, top, room, title.height()), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextShowMnemonic,

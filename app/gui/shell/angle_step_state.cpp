@@ -12,7 +12,9 @@ namespace {
 
 QString sayState(const char* text) { return QCoreApplication::translate("StepState", text); }
 
-QString degrees(double value) { return QString::fromStdString(formatForPeople(value, 3)) + QStringLiteral("°"); }
+QString degreesForPeople(double value) {
+  return QString::fromStdString(formatForPeople(value, 3)) + QStringLiteral("°");
+}
 
 StepState connectState(const BenchLink& bench) {
   if (bench.isConnected()) {
@@ -48,7 +50,7 @@ StepState verifyState(const AngleDocument& document) {
   if (const auto& report = document.verification()) {
     const QString text = (report->met ? sayState("Passed: largest error %1, limit %2.")
                                       : sayState("Failed: largest error %1, limit %2."))
-                             .arg(degrees(report->maxErrorDeg), degrees(report->limitDeg));
+                             .arg(degreesForPeople(report->maxErrorDeg), degreesForPeople(report->limitDeg));
     return {report->met ? StepProgress::Done : StepProgress::Failed, text};
   }
   if (const auto& error = document.verificationError()) {

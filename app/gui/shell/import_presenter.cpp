@@ -11,7 +11,7 @@ namespace {
 QString sayImport(const char* text) { return QCoreApplication::translate("ImportPresenter", text); }
 
 /// Seven digits at most, as short as they can be.
-QString number(double value) { return QString::number(value, 'g', 7); }
+QString shortNumber(double value) { return QString::number(value, 'g', 7); }
 } // namespace
 
 ImportPresenter::ImportPresenter(angle::CsvPreview preview)
@@ -96,7 +96,7 @@ QString ImportPresenter::rangeText(std::size_t column) const {
   if (!info.minimum || !info.maximum) {
     return sayImport("no numbers");
   }
-  return sayImport("%1 … %2").arg(number(*info.minimum), number(*info.maximum));
+  return sayImport("%1 … %2").arg(shortNumber(*info.minimum), shortNumber(*info.maximum));
 }
 
 } // namespace straightedge::gui

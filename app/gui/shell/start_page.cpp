@@ -60,7 +60,7 @@ StartPage::StartPage(RecentFiles& recent, QWidget* parent) : QWidget(parent), m_
 
   auto* page = new QWidget(scroll);
   auto* centred = new QHBoxLayout(page);
-  centred->setContentsMargins(24, 32, 24, 24);
+  centred->setContentsMargins(24, 24, 24, 20);
   auto* content = new QWidget(page);
   content->setMaximumWidth(980);
   centred->addStretch(1);
@@ -71,9 +71,8 @@ StartPage::StartPage(RecentFiles& recent, QWidget* parent) : QWidget(parent), m_
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(4);
   rows->addWidget(heading("Straightedge", 2.0, content));
-  auto* subtitle = new QLabel(tr("Calibrate an angle sensor against a reference encoder, or a three-axis Hall "
-                                 "teslameter against a reference field, and see what each way of storing the "
-                                 "correction costs and leaves."),
+  auto* subtitle = new QLabel(tr("Calibrate an angle sensor or a three-axis Hall teslameter, and see what each way of "
+                                 "storing the correction costs and leaves."),
                               content);
   subtitle->setWordWrap(true);
   subtitle->setForegroundRole(QPalette::PlaceholderText);
@@ -92,7 +91,7 @@ QWidget* StartPage::makeActions() {
   auto* box = new QWidget(this);
   auto* layout = new QVBoxLayout(box);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(10);
+  layout->setSpacing(8);
   layout->addWidget(heading(tr("Begin"), 1.15, box));
   const auto card = [&](const char* icon, const QString& title, const QString& text, void (StartPage::*signal)(),
                         const char* name) {
@@ -103,10 +102,9 @@ QWidget* StartPage::makeActions() {
   };
   card("new", tr("&New angle calibration"), tr("Capture a sweep, or import one from a CSV file"),
        &StartPage::newCalibration, "startNew");
-  card("new", tr("New fiel&d calibration"), tr("Of a three-axis teslameter; or import a campaign from a CSV file"),
+  card("new", tr("New fiel&d calibration"), tr("Capture a campaign, or import one from a CSV file"),
        &StartPage::newFieldCalibration, "startNewField");
-  card("open", tr("&Open…"), tr("A calibration (.sedge), a sweep or a campaign (.csv)"), &StartPage::openFile,
-       "startOpen");
+  card("open", tr("&Open…"), tr("A .sedge file, a sweep or a campaign (.csv)"), &StartPage::openFile, "startOpen");
   card("bench", tr("&Simulated bench"), tr("Try the whole way without hardware"), &StartPage::simulatedBench,
        "startSimulated");
   layout->addSpacing(12);

@@ -7,7 +7,7 @@ namespace straightedge::gui {
 
 namespace {
 
-QString number(double value) { return fromText(formatForPeople(value)); }
+QString tableNumber(double value) { return fromText(formatForPeople(value)); }
 
 } // namespace
 
@@ -39,7 +39,7 @@ QVariant ComparisonTable::data(const QModelIndex& index, int role) const {
     return {};
   }
   const angle::ComparisonRow& each = row(index.row());
-  const auto error = [forSorting](double value) { return forSorting ? QVariant(value) : QVariant(number(value)); };
+  const auto error = [forSorting](double value) { return forSorting ? QVariant(value) : QVariant(tableNumber(value)); };
   switch (index.column()) {
   case Model:
     return modelNameText(each.name);

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int factColumns = 8;
 
-QPushButton* button(QWidget* parent, const QString& text, const QString& name, const QString& hint = {}) {
+QPushButton* reviewButton(QWidget* parent, const QString& text, const QString& name, const QString& hint = {}) {
   auto* made = new QPushButton(text, parent);
   made->setObjectName(name);
   made->setToolTip(hint);
@@ -44,7 +44,7 @@ ReviewStep::ReviewStep(StepContext context, QWidget* parent)
   m_emptyText = new QLabel(m_empty);
   m_emptyText->setAlignment(Qt::AlignCenter);
   m_emptyText->setWordWrap(true);
-  auto* capture = button(m_empty, tr("Go to Capture"), QStringLiteral("goToCapture"));
+  auto* capture = reviewButton(m_empty, tr("Go to Capture"), QStringLiteral("goToCapture"));
   connect(capture, &QPushButton::clicked, this, [this] { emit goToStep(tr("Capture")); });
   emptyLayout->addStretch(1);
   emptyLayout->addWidget(m_emptyText);
@@ -169,13 +169,14 @@ QWidget* ReviewStep::makeActions() {
   auto* box = new QWidget(this);
   auto* layout = new QGridLayout(box);
   layout->setContentsMargins(0, 0, 0, 0);
-  m_off = button(box, tr("Switch o&ff"), QStringLiteral("switchOff"), tr("Leaves the selected rows out (Delete)"));
-  m_on = button(box, tr("Switch o&n"), QStringLiteral("switchOn"), tr("Counts the selected rows again"));
-  m_selectOutliers = button(box, tr("Select &outliers"), QStringLiteral("selectOutliers"));
-  m_allOn = button(box, tr("Switch &all on"), QStringLiteral("switchAllOn"));
-  m_copy = button(box, tr("&Copy"), QStringLiteral("copyTable"),
-                  tr("Copies the selected rows, or all, for a spreadsheet (Ctrl+C)"));
-  m_next = button(box, tr("Go on to Fit"), QStringLiteral("goToFit"));
+  m_off =
+      reviewButton(box, tr("Switch o&ff"), QStringLiteral("switchOff"), tr("Leaves the selected rows out (Delete)"));
+  m_on = reviewButton(box, tr("Switch o&n"), QStringLiteral("switchOn"), tr("Counts the selected rows again"));
+  m_selectOutliers = reviewButton(box, tr("Select &outliers"), QStringLiteral("selectOutliers"));
+  m_allOn = reviewButton(box, tr("Switch &all on"), QStringLiteral("switchAllOn"));
+  m_copy = reviewButton(box, tr("&Copy"), QStringLiteral("copyTable"),
+                        tr("Copies the selected rows, or all, for a spreadsheet (Ctrl+C)"));
+  m_next = reviewButton(box, tr("Go on to Fit"), QStringLiteral("goToFit"));
   layout->addWidget(m_off, 0, 0);
   layout->addWidget(m_on, 0, 1);
   layout->addWidget(m_selectOutliers, 0, 2);

@@ -16,7 +16,7 @@ namespace {
 
 const angle::Sweep emptySweep;
 
-QString degreesText(double deg, int decimals) {
+QString reviewDegrees(double deg, int decimals) {
   return std::isfinite(deg) ? QString::number(deg, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212)) : QString();
 }
 
@@ -81,13 +81,13 @@ QString ReviewTableModel::cell(std::size_t row, int column) const {
   case Direction:
     return m_sweep->direction.empty() ? QString() : m_sweep->direction[row] < 0 ? tr("falling") : tr("rising");
   case Encoder:
-    return degreesText(m_sweep->encoderDeg[row], 4);
+    return reviewDegrees(m_sweep->encoderDeg[row], 4);
   case Sensor:
-    return degreesText(m_sweep->sensorDeg[row], 4);
+    return reviewDegrees(m_sweep->sensorDeg[row], 4);
   case Error:
-    return found == nullptr ? QString() : degreesText(found->errorDeg, 4);
+    return found == nullptr ? QString() : reviewDegrees(found->errorDeg, 4);
   case Residual:
-    return found == nullptr ? QString() : degreesText(found->residualDeg, 4);
+    return found == nullptr ? QString() : reviewDegrees(found->residualDeg, 4);
   case Remark:
     return remark(row);
   default:
