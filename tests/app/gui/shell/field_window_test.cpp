@@ -211,6 +211,7 @@ void FieldWindowTest::droppedSweepAsksBeforeTheFieldCalibrationIsLeft() {
       QVERIFY(fieldIsOpen());
       QVERIFY(rows() > 300);
       QVERIFY(!m_window->document().isOpen());
+      QCOMPARE(m_window->document().sweep().size(), 0U);
     }
   }
   QCOMPARE(m_script.closeAsked, 2);
@@ -232,6 +233,7 @@ void FieldWindowTest::leavingAnAngleCalibrationAsks() {
   drop(file);
   QCOMPARE(m_script.closeAsked, 2);
   QCOMPARE(m_window->document().sweep().size(), 32U);
+  QCOMPARE(rows(), 0U);
   m_script.closeAnswer = WindowPrompts::CloseAnswer::KeepForLater;
   drop(file);
   QVERIFY(fieldIsOpen());
