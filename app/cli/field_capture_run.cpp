@@ -94,7 +94,7 @@ Result<devices::SimulatedFieldSettings> withOptions(devices::SimulatedFieldSetti
 }
 
 /// Everything that is settled before the first placement.
-struct PreparedRun {
+struct PreparedFieldRun {
   std::unique_ptr<session::Session> session;
   devices::FieldPlan plan;
   devices::SimulatedFieldSettings settings;
@@ -107,7 +107,7 @@ Result<void> writeRecord(session::Session& session, const devices::FieldPlan& pl
   return session.setDocument("capture", record.dump());
 }
 
-Result<void> readStored(PreparedRun& run, const FieldCaptureRequest& request) {
+Result<void> readStored(PreparedFieldRun& run, const FieldCaptureRequest& request) {
   auto plan = run.session->document("plan");
   auto settings = run.session->document("simulated-bench");
   auto already = run.session->fieldSamples(role);
@@ -129,7 +129,7 @@ Result<void> readStored(PreparedRun& run, const FieldCaptureRequest& request) {
   return {};
 }
 
-Result<PreparedRun> prepareResumed(const FieldCaptureRequest& request) {
+Result<PreparedFieldRun> prepareResumed(const FieldCaptureRequest& request) {
   if (changesPlan(request)) {
     return fail(ErrorKind::Usage, "a campaign is resumed with the plan it was begun with",
                 "leave the plan's options out to go on with it", request.session);
@@ -138,7 +138,7 @@ Result<PreparedRun> prepareResumed(const FieldCaptureRequest& request) {
   if (!opened) {
     return std::unexpected(std::move(opened.error()));
   }
-  PreparedRun run{.session = *std::move(opened), .plan = {}, .settings = {}, .already = {}};
+  PreparedFieldRun run{.session = *std::move(opened), .plan = {}, .settings = {}, .already = {}};
   if (auto read = readStored(run, request); !read) {
     return std::unexpected(std::move(read.error()));
   }
@@ -152,7 +152,7 @@ Result<PreparedRun> prepareResumed(const FieldCaptureRequest& request) {
   return run;
 }
 
-Result<PreparedRun> prepareNew(const FieldCaptureRequest& request) {
+Result<PreparedFieldRun> prepareNew(const FieldCaptureRequest& request) {
   auto plan = planOf(request);
   auto settings = withOptions({}, request);
   if (!plan || !settings) {
@@ -167,7 +167,7 @@ Result<PreparedRun> prepareNew(const FieldCaptureRequest& request) {
   if (!created) {
     return std::unexpected(std::move(created.error()));
   }
-  PreparedRun run{
+  PreparedFieldRun run{
       .session = *std::move(created), .plan = *std::move(plan), .settings = *std::move(settings), .already = {}};
   if (auto set = run.session->setDocument("simulated-bench", devices::simulatedFieldSettingsToJson(run.settings));
       !set) {
@@ -179,7 +179,7 @@ Result<PreparedRun> prepareNew(const FieldCaptureRequest& request) {
   return run;
 }
 
-Result<void> describe(PreparedRun& run, const FieldCaptureRequest& request, const devices::FieldBench& bench) {
+Result<void> describe(PreparedFieldRun& run, const FieldCaptureRequest& request, const devices::FieldBench& bench) {
   auto traceability = run.session->traceability();
   if (!traceability) {
     return std::unexpected(std::move(traceability.error()));
@@ -216,7 +216,7 @@ Result<void> outcomeOf(const devices::FieldCaptureProgress& progress, const std:
               goOn, session);
 }
 
-Result<void> writeCsv(const PreparedRun& run, const FieldCaptureRequest& request) {
+Result<void> writeCsv(const PreparedFieldRun& run, const FieldCaptureRequest& request) {
   if (request.csv.empty()) {
     return {};
   }
@@ -231,7 +231,7 @@ Result<void> writeCsv(const PreparedRun& run, const FieldCaptureRequest& request
   return writeFileWhole(request.csv, field::campaignCsv(*campaign));
 }
 
-void tellWhatIsNext(const FieldCaptureRequest& request, const PreparedRun& run,
+void tellWhatIsNext(const FieldCaptureRequest& request, const PreparedFieldRun& run,
                     const devices::FieldCaptureProgress& progress) {
   std::ostream& out = request.csv == "-" ? std::cerr : std::cout;
   out << request.session << ": " << run.plan.stages.size() << " stages, " << progress.pointsPlanned

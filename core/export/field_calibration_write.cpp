@@ -163,7 +163,7 @@ void writeBlocks(JsonWriter& json, const std::vector<BlockSummary>& blocks) {
 
 void writeHowMade(JsonWriter& json, const FieldCalibration& calibration) {
   json.member("method", methodWords[static_cast<std::size_t>(calibration.method)].second);
-  if (calibration.method == FitMethod::Joint) {
+  if (calibration.method == field::FitMethod::Joint) {
     json.member("joint_fit", calibration.jointHow);
     writeVerification(json, "verification_stepwise", calibration.stepwiseVerification, std::nullopt);
   }

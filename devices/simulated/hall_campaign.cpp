@@ -16,9 +16,7 @@ using field::CampaignRow;
 using field::CampaignStep;
 using field::Orientation;
 
-constexpr double referenceStepT = 1e-7;
 constexpr double referenceFloorT = 0.3e-6;
-constexpr double chamberStepC = 1e-3;
 
 std::vector<double> wholeScale(double fullScaleT, double stepT) {
   std::vector<double> fields;

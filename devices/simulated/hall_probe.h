@@ -11,6 +11,9 @@
 
 namespace straightedge::devices {
 
+inline constexpr double referenceStepT = 1e-7; ///< last digit of the simulated NMR
+inline constexpr double chamberStepC = 1e-3;   ///< last digit of a chamber's thermometer
+
 /// Which way the polynomial leads that is the plate's nonlinearity.
 enum class HallCurve : std::uint8_t {
   RawOverField, ///< as a plate does it; a fifth-order one of field over reading then leaves 0.01 %, as in the paper

@@ -9,9 +9,7 @@ namespace straightedge::devices {
 
 namespace {
 
-constexpr double referenceStepT = 1e-7;
-constexpr double chamberStepC = 1e-3;
-constexpr double conversionS = 1e-3; ///< of a reading on the virtual clock, so that no two have the same time
+constexpr double hallConversionS = 1e-3; ///< of a reading on the virtual clock, so that no two have the same time
 /// The body's lag is followed in steps no longer than this while the air it hangs in moves.
 constexpr double longestStepS = 0.5;
 
@@ -87,7 +85,7 @@ Eigen::Vector3d HallWorld::fieldT() {
 
 void HallWorld::takeConversionTime() {
   if (!m_settings.realTime) {
-    m_clock->sleepS(conversionS);
+    m_clock->sleepS(hallConversionS);
   }
 }
 

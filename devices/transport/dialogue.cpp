@@ -110,8 +110,8 @@ std::optional<DialogueEntry> parseEntry(std::string_view line) {
   const auto time = parseDouble(takeThrough(line, " "));
   const std::string_view word = takeThrough(line, " ");
   const auto mark = std::ranges::find(marks, word, &std::pair<DialogueMark, std::string_view>::second);
-  constexpr double longestS = 1e12; // beyond, and for nan, a line could not be written again
-  if (!time || !(*time >= 0.0 && *time <= longestS) || mark == marks.end()) {
+  constexpr double longestTimeS = 1e12; // beyond, and for nan, a line could not be written again
+  if (!time || !(*time >= 0.0 && *time <= longestTimeS) || mark == marks.end()) {
     return std::nullopt;
   }
   DialogueEntry entry{.timeS = *time, .mark = mark->first, .bytes = {}, .fault = {}, .line = 0};
