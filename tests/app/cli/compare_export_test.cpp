@@ -60,9 +60,18 @@ TEST_F(ExportCommand, JsonIsTheSameToTheByte) {
   EXPECT_EQ(folder.read("copy.json"), folder.read("c/calibration.json"));
 }
 
+TEST_F(ExportCommand, AFieldCalibrationThatLacksSomethingIsNamed) {
+  const std::string text = R"({"format": "straightedge-calibration", "version": 1, "kind": "field"})";
+  const auto exported = runCli({"export", "-", "--format", "json", "--out", "-"}, text);
+  EXPECT_EQ(exported.code, 3);
+  EXPECT_EQ(exported.err, "straightedge-cli: standard input: full_scale_T is missing; write the file anew with "
+                          "straightedge-cli field fit\n");
+}
+
 TEST_F(ExportCommand, FieldCalibrationsAreForTheFieldCommands) {
-  const auto run = runCli({"export", "-", "--format", "json", "--out", "-"},
-                          R"({"format": "straightedge-calibration", "version": 1, "kind": "field"})");
+  const std::string text = R"({"format": "straightedge-calibration", "version": 1, "kind": "field"})";
+  const auto run =
+      runCli({"angle", "verify", "-", STRAIGHTEDGE_TEST_DATA "/angle/side_shaft_32.csv", "--limit", "1"}, text);
   EXPECT_EQ(run.code, 3);
   EXPECT_EQ(run.err, "straightedge-cli: standard input: this is a field calibration, an angle calibration is needed; "
                      "use the field commands or name another file\n");
