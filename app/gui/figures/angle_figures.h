@@ -2,6 +2,7 @@
 // writes as pictures and the report prints.
 #pragma once
 
+#include "app/gui/figures/named_figure.h"
 #include "app/gui/plots/plot_spec.h"
 #include "core/angle/calibration.h"
 #include "core/angle/comparison.h"
@@ -10,7 +11,6 @@
 #include <QList>
 #include <QString>
 
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -28,15 +28,6 @@ struct AngleResults {
   std::optional<double> targetErrorDeg;
   std::optional<int> budgetEntries;
   std::optional<int> bits;
-};
-
-enum class FigureTopic : std::uint8_t { Data, Curve, Models, Comparison, Verification };
-
-struct NamedFigure {
-  QString stem; ///< file name without folder and extension, e.g. "correction-curve"
-  FigureTopic topic = FigureTopic::Data;
-  QString caption;                ///< a sentence or two: what is drawn and how it was made
-  std::function<PlotSpec()> make; ///< the plot; any thread
 };
 
 /// Cheap: plots are made only when asked for. `results` is shared with them.

@@ -2,59 +2,12 @@
 
 #include "app/gui/figures/figure_parts.h"
 #include "app/gui/figures/report_tables.h"
+#include "app/gui/figures/report_writer.h"
 #include "core/angle/comparison.h"
-
-#include <algorithm>
-#include <utility>
 
 namespace straightedge::gui {
 
 namespace {
-
-/// Numbers figures and tables as they are added.
-class ReportWriter {
-public:
-  explicit ReportWriter(ReportContent& content) : m_content(content) {}
-
-  void heading(const QString& text) { m_content.blocks.append(ReportHeading{text}); }
-  void paragraph(const QString& text, ReportParagraph::Tone tone = ReportParagraph::Tone::Plain) {
-    m_content.blocks.append(ReportParagraph{text, tone});
-  }
-  void facts(ReportTable table) {
-    table.caption.clear();
-    m_content.blocks.append(std::move(table));
-  }
-  void table(ReportTable table) {
-    table.caption = QStringLiteral("Table %1. %2.").arg(++m_tables).arg(table.caption);
-    m_content.blocks.append(std::move(table));
-  }
-  void figures(const QList<NamedFigure>& all, FigureTopic topic) {
-    for (const NamedFigure& figure : all) {
-      if (figure.topic != topic) {
-        continue;
-      }
-      ReportFigure block{QStringLiteral("Figure %1. %2").arg(++m_figures).arg(figure.caption), figure.make()};
-      if (!block.spec.note.isEmpty()) {
-        block.caption += QLatin1Char(' ') + block.spec.note + QLatin1Char('.');
-      }
-      block.spec.title.clear();
-      block.spec.note.clear();
-      m_content.blocks.append(std::move(block));
-    }
-  }
-  /// A heading only where figures follow.
-  void section(const QString& text, const QList<NamedFigure>& all, FigureTopic topic) {
-    if (std::ranges::any_of(all, [topic](const NamedFigure& figure) { return figure.topic == topic; })) {
-      heading(text);
-      figures(all, topic);
-    }
-  }
-
-private:
-  ReportContent& m_content;
-  int m_figures = 0;
-  int m_tables = 0;
-};
 
 void addSummary(ReportWriter& report, const AngleResults& results) {
   const angle::AngleCalibration& calibration = results.calibration;
@@ -95,13 +48,7 @@ ReportContent angleReport(const std::shared_ptr<const AngleResults>& shared) {
   const angle::AngleCalibration& calibration = results.calibration;
   ReportContent content;
   content.title = QStringLiteral("Angle calibration");
-  QStringList device;
-  for (const std::string& part : {calibration.traceability.deviceModel, calibration.traceability.deviceSerial}) {
-    if (!part.empty()) {
-      device << fromText(part);
-    }
-  }
-  content.subtitle = device.isEmpty() ? fromText(calibration.source.file) : device.join(QStringLiteral(" · "));
+  content.subtitle = reportSubtitle(calibration.traceability, calibration.source.file);
   content.software = fromText(calibration.software);
   content.created = fromText(calibration.created);
 

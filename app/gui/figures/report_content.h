@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/gui/figures/angle_figures.h"
+#include "app/gui/figures/field_figures.h"
 
 #include <QList>
 #include <QString>
@@ -48,5 +49,7 @@ struct ReportContent {
 
 /// Everything there is to say about one angle calibration.
 ReportContent angleReport(const std::shared_ptr<const AngleResults>& results);
+/// Everything there is to say about one field calibration.
+ReportContent fieldReport(const std::shared_ptr<const FieldResults>& results);
 
 } // namespace straightedge::gui

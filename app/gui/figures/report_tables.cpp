@@ -126,7 +126,12 @@ ReportTable verificationTable(const angle::VerificationReport& report) {
 }
 
 ReportTable traceabilityTable(const angle::AngleCalibration& calibration) {
-  const Traceability& trace = calibration.traceability;
+  return traceabilityTable({calibration.traceability, calibration.source, calibration.software, calibration.created,
+                            degrees(calibration.traceability.reference.uncertainty)});
+}
+
+ReportTable traceabilityTable(const ReportOrigin& origin) {
+  const Traceability& trace = origin.traceability;
   ReportTable table;
   table.firstNumericColumn = 99;
   table.rows = {{QStringLiteral("Device"), given(trace.deviceModel)},
@@ -138,13 +143,12 @@ ReportTable traceabilityTable(const angle::AngleCalibration& calibration) {
                 {QStringLiteral("Reference serial"), given(trace.reference.serial)},
                 {QStringLiteral("Certificate"), given(trace.reference.certificate)},
                 {QStringLiteral("Reference due"), given(trace.reference.due)},
-                {QStringLiteral("Reference uncertainty (k = 2)"), trace.reference.uncertainty > 0.0
-                                                                      ? degrees(trace.reference.uncertainty)
-                                                                      : QStringLiteral("not stated")},
-                {QStringLiteral("Data"), given(calibration.source.file)},
-                {QStringLiteral("SHA-256 of the data"), given(calibration.source.sha256)},
-                {QStringLiteral("Software"), given(calibration.software)},
-                {QStringLiteral("Created"), given(calibration.created)}};
+                {QStringLiteral("Reference uncertainty (k = 2)"),
+                 trace.reference.uncertainty > 0.0 ? origin.referenceUncertainty : QStringLiteral("not stated")},
+                {QStringLiteral("Data"), given(origin.source.file)},
+                {QStringLiteral("SHA-256 of the data"), given(origin.source.sha256)},
+                {QStringLiteral("Software"), given(origin.software)},
+                {QStringLiteral("Created"), given(origin.created)}};
   return table;
 }
 

@@ -13,7 +13,15 @@ ReportTable uncertaintyTable(const angle::UncertaintyBudget& budget);
 /// The comparison at a choice of sizes: 1, 2, 4, … of every method.
 ReportTable comparisonTable(const angle::Comparison& comparison);
 ReportTable verificationTable(const angle::VerificationReport& report);
+/// What both kinds of calibration know about where they come from.
+struct ReportOrigin {
+  Traceability traceability;
+  SourceRecord source;
+  std::string software, created;
+  QString referenceUncertainty; ///< for people, with its unit
+};
 /// Who, what, with what and when.
+ReportTable traceabilityTable(const ReportOrigin& origin);
 ReportTable traceabilityTable(const angle::AngleCalibration& calibration);
 /// How good the data are: points, coverage, noise, repeatability, hysteresis, curve.
 ReportTable dataTable(const AngleResults& results);
