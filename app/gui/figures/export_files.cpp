@@ -50,14 +50,16 @@ void addTables(Files& files, const Results& results, const ExportChoices& choice
   }
 }
 
-void addPlots(Files& files, const Results& results, const ExportChoices& choices) {
+} // namespace
+
+void addPictures(Files& files, const QList<NamedFigure>& figures, const ExportChoices& choices) {
   const QList<std::pair<bool, PictureFormat>> formats{{choices.plotsPng, PictureFormat::Png},
                                                       {choices.plotsSvg, PictureFormat::Svg},
                                                       {choices.plotsPdf, PictureFormat::Pdf}};
   if (std::ranges::none_of(formats, [](const auto& each) { return each.first; })) {
     return;
   }
-  for (const NamedFigure& figure : angleFigures(results)) {
+  for (const NamedFigure& figure : figures) {
     for (const auto& [wanted, format] : formats) {
       if (wanted) {
         files.push_back({QStringLiteral("plots/") + figure.stem + QLatin1Char('.') + suffixOf(format),
@@ -66,8 +68,6 @@ void addPlots(Files& files, const Results& results, const ExportChoices& choices
     }
   }
 }
-
-} // namespace
 
 Files filesToWrite(const std::shared_ptr<const AngleResults>& results, const ExportChoices& choices) {
   Files files;
@@ -84,7 +84,7 @@ Files filesToWrite(const std::shared_ptr<const AngleResults>& results, const Exp
   if (choices.comparison && results->comparison && !results->comparison->rows.empty()) {
     add("comparison.csv", [results] { return toBytes(exporting::comparisonCsv(*results->comparison)); });
   }
-  addPlots(files, results, choices);
+  addPictures(files, angleFigures(results), choices);
   if (choices.reportPdf) {
     add("report.pdf", [results] { return reportAsPdf(angleReport(results)); });
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/gui/figures/angle_figures.h"
+#include "app/gui/figures/field_figures.h"
 #include "core/base/error.h"
 #include "core/base/job_control.h"
 
@@ -18,7 +19,7 @@ struct ExportChoices {
   bool calibration = true; ///< calibration.json
   bool tablesCsv = true;   ///< linear-32.csv, …
   bool tablesJson = false; ///< linear-32.json, …: a calibration with one model
-  bool sweep = true;       ///< sweep.csv: the readings the calibration was made from
+  bool sweep = true;       ///< sweep.csv or campaign.csv: the readings the calibration was made from
   bool comparison = true;  ///< comparison.csv
   bool plotsPng = true;    ///< plots/correction-curve.png, …
   bool plotsSvg = false;
@@ -38,6 +39,11 @@ struct FileToWrite {
 /// What the choices come to with these results; files without content (no sweep, no comparison) are left out.
 /// Cheap: bytes are made only when asked for.
 std::vector<FileToWrite> filesToWrite(const std::shared_ptr<const AngleResults>& results, const ExportChoices& choices);
+/// Of a field calibration: tablesCsv is coefficients.csv and a table per block; tablesJson and comparison give nothing.
+std::vector<FileToWrite> filesToWrite(const std::shared_ptr<const FieldResults>& results, const ExportChoices& choices);
+
+/// Adds plots/STEM.png, … of every figure in the formats chosen.
+void addPictures(std::vector<FileToWrite>& files, const QList<NamedFigure>& figures, const ExportChoices& choices);
 
 /// Writes them below `folder`, which is made where it is missing. Every file is written whole under a temporary name
 /// before the first takes its name: stopped or failed until then, the files that were there stay as they were (folders

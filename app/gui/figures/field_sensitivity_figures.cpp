@@ -210,6 +210,9 @@ PlotSpec blockAfterBlockFigure(const field::FieldRun& run, field::Axis axis) {
        {ChainStage::Offset, QStringLiteral("After offset"), SeriesColor::Fourth},
        {ChainStage::Sensitivity, QStringLiteral("After sensitivity"), SeriesColor::First}}};
   QStringList means;
+  double lowest = 0.0; // of what the blocks leave
+  double highest = 0.0;
+  double rawMiddle = 0.0;
   for (const Shown& shown : stages) {
     const Eigen::VectorXd errorPercent =
         (field::axisValuesT(chain, axis, data.rows, shown.stage) - data.rows.referenceT) * (100.0 / chain.fullScaleT);
@@ -220,7 +223,20 @@ PlotSpec blockAfterBlockFigure(const field::FieldRun& run, field::Axis axis) {
     spec.series.append(series);
     const auto part = errorPercent.segment(smallest->first, smallest->rows);
     means << percentText(part.mean());
+    if (series.rightAxis) {
+      rawMiddle = 0.5 * (part.minCoeff() + part.maxCoeff());
+    } else {
+      lowest = std::min(lowest, part.minCoeff());
+      highest = std::max(highest, part.maxCoeff());
+    }
   }
+  // Both axes have the same scale, so that spreads compare, and the raw readings lie above the others.
+  const double span = highest - lowest;
+  spec.y.minimum = lowest - 0.1 * span;
+  spec.y.maximum = highest + 1.2 * span;
+  const double shift = rawMiddle - (highest + 0.6 * span);
+  spec.right->minimum = *spec.y.minimum + shift;
+  spec.right->maximum = *spec.y.maximum + shift;
   spec.note = QStringLiteral("Means: ") + means.join(QStringLiteral(", "));
   return spec;
 }

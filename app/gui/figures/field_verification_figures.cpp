@@ -67,6 +67,11 @@ PlotSpec blockPeaksFigure(const std::vector<field::VerificationRow>& rows) {
     }
   }
   std::ranges::sort(states);
+  using enum field::VerifiedState;
+  if (std::ranges::any_of(states,
+                          [](field::VerifiedState state) { return state > Uncalibrated && state < Calibrated; })) {
+    std::erase(states, Calibrated); // the same as after the last block
+  }
   QStringList key;
   for (std::size_t i = 0; i < states.size(); ++i) {
     key << QStringLiteral("%1 %2").arg(i).arg(stateTitle(states[i]));

@@ -1,9 +1,11 @@
 #include "app/gui/figures/render_command.h"
 
 #include "app/gui/figures/export_files.h"
+#include "app/gui/figures/field_render.h"
 #include "core/angle/sweep_csv.h"
 #include "core/base/file_bytes.h"
 #include "core/export/calibration_json.h"
+#include "core/export/field_calibration_json.h"
 #include "core/export/tables.h"
 
 #include <algorithm>
@@ -18,14 +20,14 @@ namespace {
 struct RenderOptions {
   QString calibration;
   QString out;
-  QString sweep;
+  QString sweep; ///< or campaign
   QString comparison;
   bool plots = false;
   bool report = false;
 };
 
 const char* const usage = "usage: straightedge --render CALIBRATION.json --out DIR [--plots] [--report] "
-                          "[--sweep SWEEP.csv] [--comparison FILE]";
+                          "[--sweep SWEEP.csv] [--campaign CAMPAIGN.csv] [--comparison FILE]";
 
 Result<RenderOptions> parse(const QStringList& arguments) {
   RenderOptions options;
@@ -33,6 +35,7 @@ Result<RenderOptions> parse(const QStringList& arguments) {
     const QString& argument = arguments[i];
     QString* value = argument == QLatin1String("--out")          ? &options.out
                      : argument == QLatin1String("--sweep")      ? &options.sweep
+                     : argument == QLatin1String("--campaign")   ? &options.sweep
                      : argument == QLatin1String("--comparison") ? &options.comparison
                                                                  : nullptr;
     if (value != nullptr) {
@@ -100,24 +103,39 @@ Result<void> addSweep(AngleResults& results, const QString& file) {
   return {};
 }
 
-Result<void> render(const QStringList& arguments) {
-  const Result<RenderOptions> options = parse(arguments);
-  if (!options) {
-    return std::unexpected(options.error());
-  }
-  Result<angle::AngleCalibration> calibration = exporting::readCalibration(options->calibration.toStdString());
+ExportChoices picturesOnly(const RenderOptions& options) {
+  return {.calibration = false,
+          .tablesCsv = false,
+          .tablesJson = false,
+          .sweep = false,
+          .comparison = false,
+          .plotsPng = options.plots,
+          .plotsSvg = options.plots,
+          .plotsPdf = options.plots,
+          .reportPdf = options.report,
+          .reportHtml = options.report};
+}
+
+Result<void> write(const std::vector<FileToWrite>& files, const RenderOptions& options) {
+  const Result<QStringList> written = writeFiles(files, options.out, {});
+  return written ? Result<void>{} : Result<void>(std::unexpected(written.error()));
+}
+
+Result<void> renderAngle(const RenderOptions& options, std::string_view text) {
+  Result<angle::AngleCalibration> calibration =
+      exporting::calibrationFromJson(text, inputName(options.calibration.toStdString()));
   if (!calibration) {
     return std::unexpected(calibration.error());
   }
   const auto results = std::make_shared<AngleResults>();
   results->calibration = std::move(*calibration);
-  if (!options->sweep.isEmpty()) {
-    if (const Result<void> added = addSweep(*results, options->sweep); !added) {
+  if (!options.sweep.isEmpty()) {
+    if (const Result<void> added = addSweep(*results, options.sweep); !added) {
       return added;
     }
   }
-  if (!options->comparison.isEmpty()) {
-    const std::string name = options->comparison.toStdString();
+  if (!options.comparison.isEmpty()) {
+    const std::string name = options.comparison.toStdString();
     Result<std::string> bytes = readFileBytes(name);
     if (!bytes) {
       return std::unexpected(bytes.error());
@@ -128,18 +146,35 @@ Result<void> render(const QStringList& arguments) {
     }
     results->comparison = std::make_shared<const angle::Comparison>(std::move(*comparison));
   }
-  const ExportChoices choices{.calibration = false,
-                              .tablesCsv = false,
-                              .tablesJson = false,
-                              .sweep = false,
-                              .comparison = false,
-                              .plotsPng = options->plots,
-                              .plotsSvg = options->plots,
-                              .plotsPdf = options->plots,
-                              .reportPdf = options->report,
-                              .reportHtml = options->report};
-  const Result<QStringList> written = writeFiles(filesToWrite(results, choices), options->out, {});
-  return written ? Result<void>{} : Result<void>(std::unexpected(written.error()));
+  return write(filesToWrite(results, picturesOnly(options)), options);
+}
+
+Result<void> renderField(const RenderOptions& options, std::string_view text) {
+  if (!options.comparison.isEmpty()) {
+    return fail(ErrorKind::Usage, "a field calibration takes no --comparison", usage);
+  }
+  Result<field::FieldCalibration> calibration =
+      exporting::fieldCalibrationFromJson(text, inputName(options.calibration.toStdString()));
+  if (!calibration) {
+    return std::unexpected(calibration.error());
+  }
+  const auto results = fieldResultsOf(*std::move(calibration), options.sweep.toStdString());
+  if (!results) {
+    return std::unexpected(results.error());
+  }
+  return write(filesToWrite(*results, picturesOnly(options)), options);
+}
+
+Result<void> render(const QStringList& arguments) {
+  const Result<RenderOptions> options = parse(arguments);
+  if (!options) {
+    return std::unexpected(options.error());
+  }
+  const Result<std::string> text = readFileBytes(options->calibration.toStdString());
+  if (!text) {
+    return std::unexpected(text.error());
+  }
+  return exporting::isFieldCalibration(*text) ? renderField(*options, *text) : renderAngle(*options, *text);
 }
 
 } // namespace

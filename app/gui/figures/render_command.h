@@ -5,7 +5,8 @@
 
 namespace straightedge::gui {
 
-/// Arguments after `--render`: CALIBRATION.json --out DIR [--plots] [--report] [--sweep SWEEP.csv] [--comparison FILE].
+/// Arguments after `--render`: CALIBRATION.json --out DIR [--plots] [--report] [--sweep SWEEP.csv] [--comparison FILE],
+/// of a field calibration [--campaign CAMPAIGN.csv] (--sweep means the same).
 /// Neither --plots nor --report: both. With the sweep the calibration came from, curve and points are recomputed;
 /// without, what the file holds is drawn. Prints one line on stderr when it fails. Needs a QGuiApplication (offscreen
 /// will do). Returns the exit code: 0, 2 usage, 3 input, 5 storage.

@@ -13,9 +13,9 @@ namespace straightedge::gui {
 
 namespace {
 
-constexpr double logicalDpi = 96.0;
-constexpr int pdfDpi = 1200;
-constexpr double perMm = logicalDpi / 25.4;
+constexpr double pageDpi = 96.0;
+constexpr int pageFileDpi = 1200;
+constexpr double perMm = pageDpi / 25.4;
 constexpr QSizeF paperMm{210.0, 297.0};
 constexpr double sideMm = 20.0;
 constexpr double topMm = 22.0;
@@ -49,7 +49,7 @@ QByteArray reportAsPdf(const ReportContent& content) {
   QPdfWriter writer(&buffer);
   writer.setTitle(content.title + QStringLiteral(" – ") + content.subtitle);
   writer.setCreator(content.software);
-  writer.setResolution(pdfDpi);
+  writer.setResolution(pageFileDpi);
   writer.setPageSize(QPageSize(QPageSize::A4));
   writer.setPageMargins({});
   const double width = (paperMm.width() - 2.0 * sideMm) * perMm;
@@ -62,7 +62,7 @@ QByteArray reportAsPdf(const ReportContent& content) {
       writer.newPage();
     }
     painter.save();
-    painter.scale(pdfDpi / logicalDpi, pdfDpi / logicalDpi);
+    painter.scale(pageFileDpi / pageDpi, pageFileDpi / pageDpi);
     drawEdges(painter, content, page, pages.size());
     for (const PlacedBox& placed : pages[page]) {
       boxes[placed.box].draw(painter, QPointF(sideMm, topMm) * perMm + QPointF(0.0, placed.y));

@@ -10,3 +10,9 @@ straightedge_add_qt_test(NAME gui_under_xvfb
   LABELS gui-xvfb)
 add_dependencies(gui_under_xvfb straightedge)
 set_tests_properties(gui_under_xvfb PROPERTIES ENVIRONMENT "" SKIP_RETURN_CODE 77)
+
+straightedge_add_qt_test(NAME gui_field_program
+  SOURCES app/gui/end_to_end/field_program_test.cpp
+  LIBRARIES straightedge::build_flags
+  LABELS gui)
+add_dependencies(gui_field_program straightedge straightedge-cli)

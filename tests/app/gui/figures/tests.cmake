@@ -9,3 +9,8 @@ straightedge_add_qt_test(NAME gui_report
   SOURCES app/gui/figures/report_test.cpp
   LIBRARIES straightedge::figures
   LABELS gui)
+
+straightedge_add_qt_test(NAME gui_field_figures
+  SOURCES app/gui/figures/field_figures_test.cpp
+  LIBRARIES straightedge::figures
+  LABELS gui)

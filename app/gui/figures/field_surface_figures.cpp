@@ -1,0 +1,85 @@
+#include "app/gui/figures/field_surface_figures.h"
+
+#include "app/gui/figures/field_figure_parts.h"
+#include "core/field/step_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace straightedge::gui {
+
+namespace {
+
+constexpr int mostBands = 8;
+
+/// Means of runs of neighbouring fields, ascending.
+std::vector<double> settingsOf(const Eigen::VectorXd& referenceT) {
+  std::vector<double> sorted(referenceT.begin(), referenceT.end());
+  std::ranges::sort(sorted);
+  std::vector<double> settings;
+  for (std::size_t first = 0; first < sorted.size();) {
+    std::size_t last = first + 1;
+    double sum = sorted[first];
+    while (last < sorted.size() && sorted[last] - sorted[last - 1] <= field::plateauToleranceT) {
+      sum += sorted[last++];
+    }
+    settings.push_back(sum / static_cast<double>(last - first));
+    first = last;
+  }
+  return settings;
+}
+
+std::size_t nearest(const std::vector<double>& settings, double value) {
+  const auto above = std::ranges::lower_bound(settings, value);
+  if (above == settings.begin()) {
+    return 0;
+  }
+  const bool below = above == settings.end() || value - *std::prev(above) <= *above - value;
+  return static_cast<std::size_t>(above - settings.begin()) - (below ? 1 : 0);
+}
+
+} // namespace
+
+SurfaceSpec residualSurface(const field::AxisErrors& errors, double fullScaleT, double referenceTemperatureC,
+                            CorrectionState state) {
+  SurfaceSpec spec;
+  const bool before = state == CorrectionState::Before;
+  spec.title = QStringLiteral("Error over field and temperature %1 correction, axis %2")
+                   .arg(before ? QStringLiteral("before") : QStringLiteral("after"), axisLetter(errors.axis));
+  spec.xTitle = fieldTitle();
+  spec.yTitle = probeTitle();
+  spec.zTitle = QStringLiteral("Error (% of full scale)");
+  const Eigen::VectorXd& errorT = before ? errors.beforeT : errors.afterT;
+  if (errorT.size() == 0) {
+    return spec;
+  }
+  const std::vector<double> settings = settingsOf(errors.referenceT);
+  const double coldest = errors.probeC.minCoeff();
+  const double span = errors.probeC.maxCoeff() - coldest;
+  if (settings.size() < 2 || !(span > 0.0)) {
+    return spec;
+  }
+  const auto perSetting = static_cast<int>(errorT.size()) / static_cast<int>(settings.size());
+  const int bands = std::clamp(perSetting / 2, 2, mostBands); // two readings to a cell, or there are mostly holes
+  const auto cells = settings.size() * static_cast<std::size_t>(bands);
+  std::vector<double> sum(cells, 0.0);
+  std::vector<int> count(cells, 0);
+  for (Eigen::Index i = 0; i < errorT.size(); ++i) {
+    const int band = std::min(bands - 1, static_cast<int>((errors.probeC[i] - coldest) / span * bands));
+    const std::size_t cell = static_cast<std::size_t>(band) * settings.size() + nearest(settings, errors.referenceT[i]);
+    sum[cell] += 100.0 * errorT[i] / fullScaleT;
+    ++count[cell];
+  }
+  spec.x = QList<double>(settings.begin(), settings.end());
+  for (int band = 0; band < bands; ++band) {
+    spec.y.append(referenceTemperatureC + coldest + span * (band + 0.5) / bands);
+  }
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    spec.z.append(count[cell] > 0 ? sum[cell] / count[cell] : std::numeric_limits<double>::quiet_NaN());
+  }
+  return spec;
+}
+
+} // namespace straightedge::gui
