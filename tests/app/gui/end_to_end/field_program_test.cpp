@@ -22,7 +22,8 @@ Ended runProgram(const QString& name, const QStringList& arguments, const QStrin
   for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
     environment.remove(QLatin1String(variable));
   }
-  environment.insert(QStringLiteral("XDG_RUNTIME_DIR"), QDir::tempPath()); // or Qt says that it is not set
+  const QTemporaryDir ownFolder; // Qt complains of one that is not there or open to others
+  environment.insert(QStringLiteral("XDG_RUNTIME_DIR"), ownFolder.path());
   program.setProcessEnvironment(environment);
   if (!input.isEmpty()) {
     program.setStandardInputFile(input);
