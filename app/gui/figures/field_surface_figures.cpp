@@ -12,17 +12,15 @@ namespace straightedge::gui {
 
 namespace {
 
-constexpr int mostBands = 8;
-
-/// Means of runs of neighbouring fields, ascending.
-std::vector<double> settingsOf(const Eigen::VectorXd& referenceT) {
-  std::vector<double> sorted(referenceT.begin(), referenceT.end());
+/// Means of runs of values that lie within `tolerance` of their neighbours, ascending.
+std::vector<double> settingsOf(const Eigen::VectorXd& values, double tolerance) {
+  std::vector<double> sorted(values.begin(), values.end());
   std::ranges::sort(sorted);
   std::vector<double> settings;
   for (std::size_t first = 0; first < sorted.size();) {
     std::size_t last = first + 1;
     double sum = sorted[first];
-    while (last < sorted.size() && sorted[last] - sorted[last - 1] <= field::plateauToleranceT) {
+    while (last < sorted.size() && sorted[last] - sorted[last - 1] <= tolerance) {
       sum += sorted[last++];
     }
     settings.push_back(sum / static_cast<double>(last - first));
@@ -40,6 +38,21 @@ std::size_t nearest(const std::vector<double>& settings, double value) {
   return static_cast<std::size_t>(above - settings.begin()) - (below ? 1 : 0);
 }
 
+/// The temperatures that were held; of a temperature that was swept, the middles of equal bands.
+std::vector<double> temperaturesOf(const Eigen::VectorXd& probeC, double coldest, double span) {
+  constexpr double share = 0.05; // of the span: wider gaps part one temperature from the next
+  std::vector<double> held = settingsOf(probeC, share * span);
+  if (held.size() >= 2) {
+    return held;
+  }
+  constexpr int bands = 8;
+  std::vector<double> middles;
+  for (int band = 0; band < bands; ++band) {
+    middles.push_back(coldest + span * (band + 0.5) / bands);
+  }
+  return middles;
+}
+
 } // namespace
 
 SurfaceSpec residualSurface(const field::AxisErrors& errors, double fullScaleT, double referenceTemperatureC,
@@ -55,26 +68,25 @@ SurfaceSpec residualSurface(const field::AxisErrors& errors, double fullScaleT, 
   if (errorT.size() == 0) {
     return spec;
   }
-  const std::vector<double> settings = settingsOf(errors.referenceT);
+  const std::vector<double> settings = settingsOf(errors.referenceT, field::plateauToleranceT);
   const double coldest = errors.probeC.minCoeff();
   const double span = errors.probeC.maxCoeff() - coldest;
   if (settings.size() < 2 || !(span > 0.0)) {
     return spec;
   }
-  const auto perSetting = static_cast<int>(errorT.size()) / static_cast<int>(settings.size());
-  const int bands = std::clamp(perSetting / 2, 2, mostBands); // two readings to a cell, or there are mostly holes
-  const auto cells = settings.size() * static_cast<std::size_t>(bands);
+  const std::vector<double> temperatures = temperaturesOf(errors.probeC, coldest, span);
+  const std::size_t cells = settings.size() * temperatures.size();
   std::vector<double> sum(cells, 0.0);
   std::vector<int> count(cells, 0);
   for (Eigen::Index i = 0; i < errorT.size(); ++i) {
-    const int band = std::min(bands - 1, static_cast<int>((errors.probeC[i] - coldest) / span * bands));
-    const std::size_t cell = static_cast<std::size_t>(band) * settings.size() + nearest(settings, errors.referenceT[i]);
+    const std::size_t cell =
+        nearest(temperatures, errors.probeC[i]) * settings.size() + nearest(settings, errors.referenceT[i]);
     sum[cell] += 100.0 * errorT[i] / fullScaleT;
     ++count[cell];
   }
   spec.x = QList<double>(settings.begin(), settings.end());
-  for (int band = 0; band < bands; ++band) {
-    spec.y.append(referenceTemperatureC + coldest + span * (band + 0.5) / bands);
+  for (const double aboveReference : temperatures) {
+    spec.y.append(referenceTemperatureC + aboveReference);
   }
   for (std::size_t cell = 0; cell < cells; ++cell) {
     spec.z.append(count[cell] > 0 ? sum[cell] / count[cell] : std::numeric_limits<double>::quiet_NaN());

@@ -11,9 +11,9 @@ namespace straightedge::gui {
 enum class CorrectionState : std::uint8_t { Before, After };
 
 /// Error of one axis in percent of full scale, as heights over reference field and probe temperature. The readings are
-/// not on a grid: those within 10 mT of each other count as one field, temperatures fall into up to eight equal bands,
-/// and a height is the mean of the readings in its cell; a cell without readings is a hole. Empty where the readings
-/// cover fewer than two fields or no temperatures.
+/// not on a grid: fields within 10 mT of their neighbours count as one, temperatures within a twentieth of their span
+/// too (of a sweep without gaps, eight equal bands), and a height is the mean of the readings in its cell; a cell
+/// without readings is a hole. Empty where the readings cover fewer than two fields or temperatures.
 SurfaceSpec residualSurface(const field::AxisErrors& errors, double fullScaleT, double referenceTemperatureC,
                             CorrectionState state);
 

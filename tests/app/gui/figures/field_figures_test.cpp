@@ -242,11 +242,15 @@ void FieldFiguresTest::surfaceHoldsTheMeans() {
   const SurfaceSpec after = residualSurface(errors, 2.0, 24.0, CorrectionState::After);
   QVERIFY(!before.isEmpty() && !after.isEmpty());
   QCOMPARE(before.x.size(), 20); // fields of the verification
-  QCOMPARE(before.y.size(), 8);
+  QCOMPARE(before.y.size(), 5);  // temperatures that were held
+  QVERIFY(std::ranges::all_of(after.z, [](double z) { return std::isfinite(z); }));
   QVERIFY(std::ranges::is_sorted(before.x) && std::ranges::is_sorted(before.y));
   QVERIFY(before.y.front() > 17.0 && before.y.back() < 32.0);
   QVERIFY(largestOf(before.z) <= 50.0 * errors.beforeT.cwiseAbs().maxCoeff()); // a mean is no larger than the largest
   QVERIFY(largestOf(after.z) < 0.1 * largestOf(before.z));
+  field::AxisErrors swept = errors;
+  swept.probeC = Eigen::VectorXd::LinSpaced(errors.probeC.size(), -6.0, 6.0);
+  QCOMPARE(residualSurface(swept, 2.0, 24.0, CorrectionState::After).y.size(), 8);
   field::AxisErrors one = errors;
   one.referenceT.setConstant(0.5);
   QVERIFY(residualSurface(one, 2.0, 24.0, CorrectionState::After).isEmpty());
