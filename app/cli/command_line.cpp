@@ -5,6 +5,7 @@
 #include "app/cli/capture_command.h"
 #include "app/cli/command.h"
 #include "app/cli/compare_command.h"
+#include "app/cli/devices_command.h"
 #include "app/cli/export_command.h"
 #include "app/cli/field_commands.h"
 #include "app/cli/fit_command.h"
@@ -57,6 +58,7 @@ void addCommands(CLI::App& program, Work& work) {
   addBatchCommand(*angle, work);
   addFieldCommands(program, work);
   addExportCommand(program, work);
+  addDevicesCommand(program, work);
   addCaptureCommand(program, [&work](std::function<Result<void>()> capture) {
     work = [capture = std::move(capture)]() -> Result<int> {
       if (auto done = capture(); !done) {

@@ -1,0 +1,11 @@
+straightedge_add_test(NAME devices_bench
+  SOURCES devices/bench/device_listing_test.cpp
+  LIBRARIES straightedge::devices
+  LABELS devices)
+
+# The real program as a child process on emulated instruments.
+straightedge_add_usb_test(NAME bench_cli
+  SOURCES app/cli/child_process.cpp devices/bench/bench_cli_test.cpp
+  LIBRARIES straightedge::core straightedge::devices nlohmann_json::nlohmann_json
+  LABELS cli)
+add_dependencies(bench_cli straightedge-cli)
