@@ -16,7 +16,9 @@ void addCaptureCommand(CLI::App& program, std::function<void(std::function<Resul
   CLI::App* angle = capture->add_subcommand("angle", "Angle sensor against a reference encoder");
   const auto request = std::make_shared<CaptureRequest>();
 
-  angle->add_option("--bench", request->bench, "Bench: simulated")->required()->type_name("NAME");
+  angle->add_option("--bench", request->bench, "Bench: simulated, the name of a saved bench, or its file")
+      ->required()
+      ->type_name("NAME");
   angle->add_option("--session", request->session, "Session file (.sedge) to write")->required()->type_name("FILE");
   angle->add_option("--csv", request->csv, "Also write the sweep as CSV (- for standard output)")->type_name("FILE");
   angle->add_flag("--resume", request->resume, "Go on with the sweep that the session holds");
@@ -29,6 +31,13 @@ void addCaptureCommand(CLI::App& program, std::function<void(std::function<Resul
   angle->add_option("--settle", request->settleS, "Seconds to wait at each point (0.05)")->group("Plan");
   angle->add_option("--averages", request->averages, "Readings per point, each stored (1)")->group("Plan");
   angle->add_option("--start", request->startDeg, "Encoder angle of the first point (0)")->group("Plan");
+  angle->add_option("--pairing", request->pairing, "How readings are paired (as the bench says, else as-read)")
+      ->check(CLI::IsMember({"as-read", "interpolate"}))
+      ->group("Plan");
+  angle->add_option("--pairing-age", request->pairingMaxAgeS, "Greatest age of a reading that is paired, s (0.1)")
+      ->group("Plan");
+  angle->add_option("--retries", request->retries, "Times to ask again after a time-out (2)")->group("Plan");
+  angle->add_option("--wait", request->waitS, "Seconds to wait for an instrument that was unplugged (600)");
   angle->add_option("--rate", request->rateHz, "Sample at this rate while the shaft turns, in Hz")->group("Plan");
 
   const std::map<std::string, devices::FieldGeometry> geometries = {{"on-axis", devices::FieldGeometry::OnAxis},

@@ -6,6 +6,7 @@
 #include "core/base/file_output.h"
 #include "core/base/number_text.h"
 #include "core/session/session.h"
+#include "devices/bench/opened_bench.h"
 #include "devices/capture/angle_capture.h"
 #include "devices/simulated/simulated_settings_json.h"
 
@@ -41,6 +42,11 @@ devices::AnglePlan withOptions(devices::AnglePlan plan, const CaptureRequest& re
   take(plan.averages, request.averages);
   take(plan.startDeg, request.startDeg);
   take(plan.sampleRateHz, request.rateHz);
+  take(plan.retries, request.retries);
+  take(plan.pairing.maxAgeS, request.pairingMaxAgeS);
+  if (request.pairing) {
+    plan.pairing.kind = devices::pairingFromWord(*request.pairing).value_or(plan.pairing.kind);
+  }
   return plan;
 }
 
@@ -75,6 +81,37 @@ Result<void> checkSettings(const devices::SimulatedAngleSettings& settings) {
   return {};
 }
 
+/// The bench by its name: the simulated one, or a saved one with its instruments.
+struct AngleBenchSource {
+  std::optional<devices::SavedBench> saved; ///< none: simulated
+  std::unique_ptr<devices::SimulatedAngleBench> simulated;
+  std::unique_ptr<devices::OpenedBench> real;
+
+  bool opened() const { return saved.has_value(); }
+  devices::PairingRule pairing() const { return saved ? saved->pairing : devices::PairingRule{}; }
+
+  Result<void> openInstruments() {
+    if (!saved) {
+      return {};
+    }
+    auto done = devices::OpenedBench::open(*saved, devices::readProfiles(devices::userProfileFolder()));
+    if (!done) {
+      return std::unexpected(std::move(done.error()));
+    }
+    real = *std::move(done);
+    auto roles = real->angleBench();
+    return roles ? Result<void>{} : std::unexpected(std::move(roles.error()));
+  }
+
+  Result<devices::AngleBench> bench(const devices::SimulatedAngleSettings& settings) {
+    if (real) {
+      return real->angleBench();
+    }
+    simulated = std::make_unique<devices::SimulatedAngleBench>(settings);
+    return simulated->bench();
+  }
+};
+
 /// Everything that is settled before the first move.
 struct PreparedRun {
   std::unique_ptr<session::Session> session;
@@ -83,9 +120,9 @@ struct PreparedRun {
   std::vector<session::AngleSample> already;
 };
 
-Result<void> writeRecord(session::Session& session, SweepRole role, const devices::AnglePlan& plan, bool finished) {
-  const nlohmann::json record = {
-      {"plan", devices::planToJson(plan)}, {"finished", finished}, {"bench", "Simulated bench"}};
+Result<void> writeRecord(session::Session& session, SweepRole role, const devices::AnglePlan& plan,
+                         const std::string& bench, bool finished) {
+  const nlohmann::json record = {{"plan", devices::planToJson(plan)}, {"finished", finished}, {"bench", bench}};
   return session.setDocument(recordName(role), record.dump());
 }
 
@@ -139,9 +176,9 @@ Result<PreparedRun> prepareResumed(const CaptureRequest& request, SweepRole role
   return run;
 }
 
-Result<PreparedRun> prepareNew(const CaptureRequest& request, SweepRole role) {
+Result<PreparedRun> prepareNew(const CaptureRequest& request, SweepRole role, const devices::PairingRule& pairing) {
   PreparedRun run{.session = nullptr,
-                  .plan = withOptions(devices::AnglePlan{}, request),
+                  .plan = withOptions(devices::AnglePlan{.pairing = pairing}, request),
                   .settings = withOptions(devices::SimulatedAngleSettings{}, request),
                   .already = {}};
   if (auto checked = devices::checkPlan(run.plan); !checked) {
@@ -180,8 +217,8 @@ Result<PreparedRun> prepareNew(const CaptureRequest& request, SweepRole role) {
   return run;
 }
 
-Result<void> describe(PreparedRun& run, const CaptureRequest& request, SweepRole role,
-                      const devices::AngleBench& bench) {
+Result<void> describe(PreparedRun& run, const CaptureRequest& request, SweepRole role, const devices::AngleBench& bench,
+                      const AngleBenchSource& source) {
   auto traceability = run.session->traceability();
   if (!traceability) {
     return std::unexpected(std::move(traceability.error()));
@@ -204,7 +241,9 @@ Result<void> describe(PreparedRun& run, const CaptureRequest& request, SweepRole
     return set1;
   }
   if (role == SweepRole::Calibration && run.already.empty()) {
-    auto noted = run.session->setDocument("simulated-bench", devices::simulatedSettingsToJson(run.settings));
+    auto noted = source.opened()
+                     ? run.session->setDocument("bench", devices::benchToJson(*source.saved))
+                     : run.session->setDocument("simulated-bench", devices::simulatedSettingsToJson(run.settings));
     if (!noted) {
       return noted;
     }
@@ -212,7 +251,7 @@ Result<void> describe(PreparedRun& run, const CaptureRequest& request, SweepRole
   if (auto noted = run.session->setDocument("plan", devices::planToJson(run.plan)); !noted) {
     return noted;
   }
-  return writeRecord(*run.session, role, run.plan, false);
+  return writeRecord(*run.session, role, run.plan, bench.name, false);
 }
 
 Result<void> outcomeOf(const devices::CaptureProgress& progress, const std::string& session) {
@@ -248,20 +287,32 @@ Result<void> writeResults(const PreparedRun& run, const CaptureRequest& request,
 } // namespace
 
 Result<void> runCapture(const CaptureRequest& request) {
+  AngleBenchSource source;
   if (request.bench != "simulated") {
-    return fail(ErrorKind::Instrument, "there is no bench named '" + request.bench + "'", "give --bench simulated");
+    auto saved = devices::readBench(request.bench);
+    if (!saved) {
+      return std::unexpected(std::move(saved.error()));
+    }
+    source.saved = *std::move(saved);
+  }
+  CaptureWatch watch(request.waitS); // before any thread is started; libusb starts one
+  // Before there is a session: without its bench it would only be in the way of the next try.
+  if (auto opened = source.openInstruments(); !opened) {
+    return opened;
   }
   if (auto checked = checkSettings(withOptions(devices::SimulatedAngleSettings{}, request)); !checked) {
     return checked;
   }
   const SweepRole role = request.verification ? SweepRole::Verification : SweepRole::Calibration;
-  auto run = request.resume ? prepareResumed(request, role) : prepareNew(request, role);
+  auto run = request.resume ? prepareResumed(request, role) : prepareNew(request, role, source.pairing());
   if (!run) {
     return std::unexpected(std::move(run.error()));
   }
-  CaptureWatch watch; // before any thread is started
-  devices::SimulatedAngleBench bench(run->settings);
-  if (auto described = describe(*run, request, role, bench.bench()); !described) {
+  const auto bench = source.bench(run->settings);
+  if (!bench) {
+    return std::unexpected(bench.error());
+  }
+  if (auto described = describe(*run, request, role, *bench, source); !described) {
     return described;
   }
   devices::CaptureProgress progress;
@@ -270,7 +321,7 @@ Result<void> runCapture(const CaptureRequest& request) {
     if (!sink) {
       return std::unexpected(std::move(sink.error()));
     }
-    devices::AngleCapture capture(bench.bench(), **sink);
+    devices::AngleCapture capture(*bench, **sink);
     if (auto started = capture.start(run->plan, run->already); !started) {
       return started;
     }
@@ -278,7 +329,7 @@ Result<void> runCapture(const CaptureRequest& request) {
   }
   Result<void> outcome = outcomeOf(progress, request.session);
   if (outcome) {
-    outcome = writeRecord(*run->session, role, run->plan, true);
+    outcome = writeRecord(*run->session, role, run->plan, bench->name, true);
   }
   if (outcome) {
     outcome = writeResults(*run, request, role);

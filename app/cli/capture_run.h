@@ -25,6 +25,10 @@ struct CaptureRequest {
   std::optional<int> averages;
   std::optional<double> startDeg;
   std::optional<double> rateHz;
+  std::optional<std::string> pairing; ///< "as-read" or "interpolate"; else what the bench says
+  std::optional<double> pairingMaxAgeS;
+  std::optional<int> retries;
+  double waitS = 600.0; ///< for an instrument that was unplugged
   // Simulated bench
   std::optional<unsigned long long> seed;
   std::optional<devices::FieldGeometry> geometry;

@@ -1,5 +1,7 @@
 #include "app/cli/capture_watch.h"
 
+#include "app/cli/messages.h"
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -23,7 +25,7 @@ bool isActive(const devices::CaptureProgress& progress) {
 
 } // namespace
 
-CaptureWatch::CaptureWatch() : m_onTerminal(::isatty(STDERR_FILENO) != 0) {
+CaptureWatch::CaptureWatch(double waitS) : m_onTerminal(::isatty(STDERR_FILENO) != 0), m_patience(waitS) {
   sigemptyset(&m_signals);
   sigaddset(&m_signals, SIGINT);
   sigaddset(&m_signals, SIGTERM);
@@ -37,7 +39,7 @@ auto CaptureWatch::followUntilDone(Capture& capture, const Show& showProgress) {
   long patienceNs = firstLookNs;
   for (;;) {
     const auto progress = capture.progress();
-    if (!isActive(progress)) {
+    if (!waitsFor(progress) && !isActive(progress)) {
       wipe();
       if (progress.state == devices::CaptureState::Paused) {
         capture.stop();
@@ -90,6 +92,22 @@ devices::FieldCaptureProgress CaptureWatch::follow(devices::FieldCapture& captur
     }
     show(line);
   });
+}
+
+bool CaptureWatch::waitsFor(const devices::CaptureProgress& progress) {
+  const auto now = std::chrono::steady_clock::now();
+  if (!progress.waitsForInstrument || !progress.error) {
+    if (m_waitsSince && progress.state == devices::CaptureState::Running) {
+      m_waitsSince.reset();
+    }
+    return false;
+  }
+  if (!m_waitsSince) {
+    m_waitsSince = now;
+    wipe();
+    printWarning(progress.error->message() + "; the capture waits for it and keeps what it has");
+  }
+  return now - *m_waitsSince < m_patience;
 }
 
 void CaptureWatch::show(const std::string& line) {

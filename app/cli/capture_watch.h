@@ -4,7 +4,9 @@
 #include "devices/capture/angle_capture.h"
 #include "devices/capture/field_capture.h"
 
+#include <chrono>
 #include <csignal>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,12 +16,14 @@ namespace straightedge::cli {
 /// threads are started: they inherit the mask.
 class CaptureWatch {
 public:
-  CaptureWatch();
+  /// `waitS`: how long an instrument that was unplugged is waited for.
+  explicit CaptureWatch(double waitS = 600.0);
   ~CaptureWatch();
   CaptureWatch(const CaptureWatch&) = delete;
   CaptureWatch& operator=(const CaptureWatch&) = delete;
 
-  /// Blocks until the sweep has ended; a fault of an instrument ends it too. The error, if any, is in the result.
+  /// Blocks until the sweep has ended; a fault of an instrument ends it too, except that one that was unplugged is
+  /// waited for. The error, if any, is in the result.
   devices::CaptureProgress follow(devices::AngleCapture& capture);
   /// Likewise. `titles` are the stages'. What a person is to do is asked for on a terminal and confirmed with Enter.
   devices::FieldCaptureProgress follow(devices::FieldCapture& capture, const std::vector<std::string>& titles);
@@ -27,6 +31,7 @@ public:
 private:
   template <typename Capture, typename Show>
   auto followUntilDone(Capture& capture, const Show& show);
+  bool waitsFor(const devices::CaptureProgress& progress);
   void show(const std::string& line);
   void wipe();
 
@@ -34,6 +39,8 @@ private:
   sigset_t m_before{};
   bool m_onTerminal;
   bool m_shown = false;
+  std::chrono::duration<double> m_patience;
+  std::optional<std::chrono::steady_clock::time_point> m_waitsSince;
 };
 
 } // namespace straightedge::cli

@@ -12,6 +12,7 @@ namespace straightedge::devices {
 
 namespace {
 
+constexpr int mostRetries = 100;
 constexpr int fewestPoints = 8; // an alignment refuses fewer
 constexpr int mostPoints = 36000;
 constexpr int mostTurns = 1000;
@@ -52,6 +53,8 @@ Result<void> checkPlan(const AnglePlan& plan) {
   note(inRange("the number of averages", plan.averages, 1, mostAverages, ""));
   note(inRange("the settling time", plan.settleS, 0.0, longestSettleS, " s"));
   note(inRange("the start angle", plan.startDeg, -farthestStartDeg, farthestStartDeg, "°"));
+  note(inRange("the number of retries", plan.retries, 0, mostRetries, ""));
+  note(inRange("the greatest age of a paired reading", plan.pairing.maxAgeS, 1e-6, 60.0, " s"));
   if (plan.sampleRateHz != 0.0) {
     note(inRange("the sample rate", plan.sampleRateHz, slowestRateHz, fastestRateHz, " Hz (or 0: point by point)"));
   }
@@ -95,7 +98,10 @@ std::string planToJson(const AnglePlan& plan) {
                                        {"start_deg", plan.startDeg},
                                        {"settle_s", plan.settleS},
                                        {"averages", plan.averages},
-                                       {"sample_rate_hz", plan.sampleRateHz}};
+                                       {"sample_rate_hz", plan.sampleRateHz},
+                                       {"pairing", pairingWord(plan.pairing.kind)},
+                                       {"pairing_max_age_s", plan.pairing.maxAgeS},
+                                       {"retries", plan.retries}};
   return json.dump();
 }
 
@@ -110,6 +116,9 @@ Result<AnglePlan> planFromJson(std::string_view text) {
     plan.settleS = json.value("settle_s", plan.settleS);
     plan.averages = json.value("averages", plan.averages);
     plan.sampleRateHz = json.value("sample_rate_hz", plan.sampleRateHz);
+    plan.pairing.kind = pairingFromWord(json.value("pairing", std::string("as-read"))).value_or(PairingKind::AsRead);
+    plan.pairing.maxAgeS = json.value("pairing_max_age_s", plan.pairing.maxAgeS);
+    plan.retries = json.value("retries", plan.retries);
   } catch (const nlohmann::json::exception& problem) {
     return fail(ErrorKind::Input, std::string("the stored capture plan cannot be read (") + problem.what() + ")",
                 "choose the plan anew", "capture plan");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "devices/instruments/pairing_rule.h"
 
 #include <string>
 #include <string_view>
@@ -17,7 +18,9 @@ struct AnglePlan {
   double settleS = 0.05;
   int averages = 1; ///< readings per point; each is stored as a sample of its own
   double sampleRateHz =
-      0.0; ///< > 0: free-running capture at this rate while the shaft turns, instead of point by point
+      0.0;                  ///< > 0: free-running capture at this rate while the shaft turns, instead of point by point
+  PairingRule pairing = {}; ///< stepwise: how encoder and sensor readings become one sample
+  int retries = 2;          ///< times that a reading is asked for again after a time-out, before the capture pauses
 
   bool operator==(const AnglePlan&) const = default;
 };

@@ -11,6 +11,7 @@ void CaptureControl::begin() {
   const std::scoped_lock lock(mutex);
   progress.state = CaptureState::Running;
   progress.error.reset();
+  progress.waitsForInstrument = false;
   pauseRequested = false;
 }
 

@@ -25,6 +25,8 @@ struct CaptureProgress {
   double elapsedS = 0.0;
   std::optional<double> remainingS; ///< known after the first points
   std::optional<Error> error;       ///< state Failed or Paused by a fault
+  bool waitsForInstrument = false;  ///< Paused because one was unplugged: goes on by itself when it is back
+  int retried = 0;                  ///< readings that were asked for again after a time-out
 };
 
 /// `mutex` guards `progress` and `redoRequests`; `changed` tells of both directions.

@@ -10,6 +10,8 @@ namespace {
 
 /// Samples older than this are committed; the promise is 0.5 s.
 constexpr auto commitAfter = std::chrono::milliseconds(250);
+/// Between two looks for an instrument that was unplugged.
+constexpr auto lookForInstrument = std::chrono::milliseconds(250);
 
 } // namespace
 
@@ -48,6 +50,9 @@ void CaptureLoop::run(const std::stop_token& stop) {
       continue;
     }
     Interruption why = std::move(outcome.error());
+    if (tryAgain(why)) {
+      continue;
+    }
     if (!why.ofStorage) {
       forgetPositions();
       if (auto committed = commit(); !committed) {
@@ -58,7 +63,7 @@ void CaptureLoop::run(const std::stop_token& stop) {
       end(CaptureState::Failed, std::move(why.fault));
       return;
     }
-    if (!rest(stop, std::move(why.fault))) {
+    if (isUnplugged(why) ? !awaitInstrument(stop, *std::move(why.fault)) : !rest(stop, std::move(why.fault))) {
       end(CaptureState::Stopped);
       return;
     }
@@ -66,6 +71,51 @@ void CaptureLoop::run(const std::stop_token& stop) {
 }
 
 bool CaptureLoop::requestsWait() const { return !m_control.redoRequests.empty(); }
+
+bool CaptureLoop::tryAgain(const Interruption& why) {
+  if (!why.fault || why.ofStorage || m_connection == nullptr || m_retriesLeft == 0 ||
+      m_connection->lastFault() != TransportFault::TimedOut) {
+    return false;
+  }
+  --m_retriesLeft;
+  const std::scoped_lock lock(m_control.mutex);
+  ++m_control.progress.retried;
+  return true;
+}
+
+bool CaptureLoop::isUnplugged(const Interruption& why) const {
+  return why.fault && !why.ofStorage && m_connection != nullptr && m_connection->lastFault() == TransportFault::Gone;
+}
+
+bool CaptureLoop::awaitInstrument(const std::stop_token& stop, Error fault) {
+  publishProgress();
+  std::unique_lock lock(m_control.mutex);
+  for (;;) {
+    if (stop.stop_requested()) {
+      return false;
+    }
+    // Whoever asks to go on is told again: without the instrument nothing can.
+    m_control.progress.state = CaptureState::Paused;
+    m_control.progress.error = fault;
+    m_control.progress.waitsForInstrument = true;
+    m_control.changed.notify_all();
+    m_control.changed.wait_for(lock, stop, lookForInstrument, [] { return false; });
+    lock.unlock();
+    auto back = m_connection->restore();
+    lock.lock();
+    if (back && *back) {
+      break;
+    }
+    if (!back) {
+      fault = std::move(back.error());
+    }
+  }
+  m_control.progress.state = CaptureState::Running; // a pause that was asked for meanwhile comes next
+  m_control.progress.error.reset();
+  m_control.progress.waitsForInstrument = false;
+  m_control.changed.notify_all();
+  return true;
+}
 
 bool CaptureLoop::finish() {
   publishProgress();
@@ -102,6 +152,7 @@ void CaptureLoop::end(CaptureState state, std::optional<Error> fault) {
   publishProgress();
   const std::scoped_lock lock(m_control.mutex);
   m_control.progress.state = state;
+  m_control.progress.waitsForInstrument = false;
   m_control.progress.error = std::move(fault);
   m_control.changed.notify_all();
 }
@@ -130,6 +181,7 @@ CaptureLoop::Step<void> CaptureLoop::checkInterruption() const {
 }
 
 void CaptureLoop::samplesAppended() {
+  m_retriesLeft = m_retries;
   if (!m_oldestUncommitted) {
     m_oldestUncommitted = std::chrono::steady_clock::now();
   }

@@ -3,6 +3,7 @@
 
 #include "devices/capture/capture_control.h"
 #include "devices/instruments/angle_instruments.h"
+#include "devices/instruments/bench_connection.h"
 
 #include <chrono>
 #include <expected>
@@ -13,7 +14,9 @@
 namespace straightedge::devices {
 
 /// Measures what the derived class says comes next, until all is done, the capture is stopped or the sink fails. A
-/// fault of an instrument pauses it with everything committed; what was interrupted is begun again.
+/// fault of an instrument pauses it with everything committed; what was interrupted is begun again. Where the bench has
+/// a connection: a time-out is first tried again as often as the plan says, and an instrument that was unplugged is
+/// waited for.
 class CaptureLoop {
 public:
   virtual ~CaptureLoop() = default;
@@ -33,7 +36,8 @@ protected:
   template <typename T>
   using Step = std::expected<T, Interruption>;
 
-  CaptureLoop(BenchClock& clock, CaptureControl& control) : m_clock(clock), m_control(control) {}
+  CaptureLoop(BenchClock& clock, CaptureControl& control, BenchConnection* connection, int retries)
+      : m_clock(clock), m_control(control), m_connection(connection), m_retries(retries), m_retriesLeft(retries) {}
 
   virtual void takeRequests() = 0;   ///< redo and the like
   virtual bool requestsWait() const; ///< under the control's mutex
@@ -71,12 +75,18 @@ protected:
   static constexpr double lookAroundS = 0.02;
 
 private:
-  bool finish();                                                      ///< false: there is something to measure again
+  bool finish();                          ///< false: there is something to measure again
+  bool tryAgain(const Interruption& why); ///< a time-out, and the plan allows another try
+  bool isUnplugged(const Interruption& why) const;
+  bool awaitInstrument(const std::stop_token& stop, Error fault);     ///< false: stopped meanwhile
   bool rest(const std::stop_token& stop, std::optional<Error> fault); ///< paused; false: stopped meanwhile
   void end(CaptureState state, std::optional<Error> fault = std::nullopt);
 
   BenchClock& m_clock;
   CaptureControl& m_control;
+  BenchConnection* m_connection; ///< may be null
+  int m_retries;
+  int m_retriesLeft;
   std::stop_token m_stop;
   std::optional<double> m_startS; ///< bench clock at the first run
   std::optional<std::chrono::steady_clock::time_point> m_oldestUncommitted;

@@ -1,5 +1,8 @@
 #include "devices/capture/capture_worker.h"
 
+#include "core/base/number_text.h"
+#include "devices/capture/reading_pairing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,12 +16,14 @@ namespace {
 constexpr double takeUpDeg = 5.0;
 /// A shaft turned by hand counts as still while it moves less than this between two looks.
 constexpr double handStillDeg = 0.02;
+/// A pair that the rule rejects is read again so often.
+constexpr int pairTries = 20;
 
 } // namespace
 
 CaptureWorker::CaptureWorker(AngleBench bench, session::SampleSink& sink, CaptureCourse course, CaptureShared& shared)
-    : CaptureLoop(*bench.clock, shared), m_bench(std::move(bench)), m_sink(sink), m_course(std::move(course)),
-      m_shared(shared), m_doneAtStart(m_course.done()) {}
+    : CaptureLoop(*bench.clock, shared, bench.connection, course.plan().retries), m_bench(std::move(bench)),
+      m_sink(sink), m_course(std::move(course)), m_shared(shared), m_doneAtStart(m_course.done()) {}
 
 void CaptureWorker::takeRequests() {
   const std::scoped_lock lock(m_shared.mutex);
@@ -63,6 +68,24 @@ CaptureWorker::Step<void> CaptureWorker::measurePoint(int index) {
 }
 
 CaptureWorker::Step<void> CaptureWorker::readOnce(int index, std::optional<double> temperatureC) {
+  const auto pair = m_course.plan().pairing.kind == PairingKind::Interpolate ? readInterpolated() : readAsRead();
+  if (!pair) {
+    return std::unexpected(pair.error());
+  }
+  const PlannedPoint& point = m_course.point(index);
+  session::AngleSample sample;
+  sample.point = index;
+  sample.attempt = m_course.attempt(index);
+  sample.turn = point.turn;
+  sample.direction = point.direction;
+  sample.timeS = sampleTimeS(pair->timeS);
+  sample.encoderDeg = pair->encoderDeg;
+  sample.sensorDeg = pair->sensorDeg;
+  sample.temperatureC = temperatureC;
+  return store({sample});
+}
+
+CaptureWorker::Step<StreamedAngle> CaptureWorker::readAsRead() {
   const auto encoder = fromInstrument(m_bench.reference->readDeg(), "encoder");
   if (!encoder) {
     return std::unexpected(encoder.error());
@@ -71,17 +94,38 @@ CaptureWorker::Step<void> CaptureWorker::readOnce(int index, std::optional<doubl
   if (!sensor) {
     return std::unexpected(sensor.error());
   }
-  const PlannedPoint& point = m_course.point(index);
-  session::AngleSample sample;
-  sample.point = index;
-  sample.attempt = m_course.attempt(index);
-  sample.turn = point.turn;
-  sample.direction = point.direction;
-  sample.timeS = sampleTimeS(sensor->timeS);
-  sample.encoderDeg = encoder->value;
-  sample.sensorDeg = sensor->value;
-  sample.temperatureC = temperatureC;
-  return store({sample});
+  return StreamedAngle{.timeS = sensor->timeS, .encoderDeg = encoder->value, .sensorDeg = sensor->value};
+}
+
+CaptureWorker::Step<StreamedAngle> CaptureWorker::readInterpolated() {
+  const PairingRule& rule = m_course.plan().pairing;
+  ReadingPairing pairing(rule);
+  auto sensor = fromInstrument(m_bench.sensor->readDeg(), "sensor");
+  for (int i = 0; sensor && i < pairTries; ++i) {
+    pairing.addSensor(*sensor);
+    const auto encoder = fromInstrument(m_bench.reference->readDeg(), "encoder");
+    if (!encoder) {
+      return std::unexpected(encoder.error());
+    }
+    pairing.addReference(*encoder);
+    sensor = fromInstrument(m_bench.sensor->readDeg(), "sensor");
+    if (!sensor) {
+      break;
+    }
+    pairing.addSensor(*sensor);
+    if (const auto pairs = pairing.takePairs(); !pairs.empty()) {
+      return pairs.back();
+    }
+  }
+  if (!sensor) {
+    return std::unexpected(sensor.error());
+  }
+  return std::unexpected(Interruption{
+      .fault = Error{ErrorKind::Instrument,
+                     "no sensor readings within " + formatForPeople(rule.maxAgeS) +
+                         " s before and after the encoder's, " + std::to_string(pairTries) + " times in a row",
+                     "allow a greater age, correct the latencies in the bench, or pair readings as they are read",
+                     m_bench.name}});
 }
 
 CaptureWorker::Step<void> CaptureWorker::measureRun(PointRun run) {

@@ -31,6 +31,8 @@ private:
 
   Step<void> measurePoint(int index);
   Step<void> readOnce(int index, std::optional<double> temperatureC);
+  Step<StreamedAngle> readAsRead();
+  Step<StreamedAngle> readInterpolated();
   Step<void> measureRun(PointRun run);
   Step<bool> storeStream(const StreamBlock& block, PointRun run, int& sector); ///< true: passed the run's end
   Step<void> approach(double angleDeg, int direction);

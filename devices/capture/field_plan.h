@@ -37,6 +37,7 @@ struct FieldPlan {
   double temperatureSettleS = 120; ///< after probe or electronics were sent to another temperature
   double lockTimeoutS = 30.0;      ///< without a locked row a plateau is given up after so long
   double referenceTemperatureC = 24.0;
+  int retries = 2; ///< times that a reading is asked for again after a time-out, before the capture pauses
 
   bool operator==(const FieldPlan&) const = default;
 };

@@ -12,6 +12,7 @@ std::string planToJson(const FieldPlan& plan) {
                                  {"temperature_settle_s", plan.temperatureSettleS},
                                  {"lock_timeout_s", plan.lockTimeoutS},
                                  {"reference_temperature_C", plan.referenceTemperatureC},
+                                 {"retries", plan.retries},
                                  {"stages", nlohmann::ordered_json::array()}};
   for (const FieldStage& stage : plan.stages) {
     nlohmann::ordered_json part = {{"step", field::stepName(stage.step)}};
@@ -52,6 +53,7 @@ Result<FieldPlan> fieldPlanFromJson(std::string_view text) {
     plan.temperatureSettleS = json.value("temperature_settle_s", plan.temperatureSettleS);
     plan.lockTimeoutS = json.value("lock_timeout_s", plan.lockTimeoutS);
     plan.referenceTemperatureC = json.value("reference_temperature_C", plan.referenceTemperatureC);
+    plan.retries = json.value("retries", plan.retries);
     for (const auto& part : json.at("stages")) {
       FieldStage stage;
       const auto step = field::parseStep(part.at("step").get<std::string>());

@@ -22,8 +22,9 @@ Error noReading(const char* what, const std::string& where) {
 
 FieldWorker::FieldWorker(FieldBench bench, session::FieldSampleSink& sink, FieldCourse course,
                          FieldCaptureShared& shared)
-    : CaptureLoop(*bench.clock, shared), m_bench(std::move(bench)), m_sink(sink), m_course(std::move(course)),
-      m_shared(shared), m_givenUp(static_cast<std::size_t>(m_course.stages()), 0) {}
+    : CaptureLoop(*bench.clock, shared, bench.connection, course.plan().retries), m_bench(std::move(bench)),
+      m_sink(sink), m_course(std::move(course)), m_shared(shared),
+      m_givenUp(static_cast<std::size_t>(m_course.stages()), 0) {}
 
 void FieldWorker::takeRequests() {
   const std::scoped_lock lock(m_shared.mutex);

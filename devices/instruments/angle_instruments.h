@@ -10,6 +10,8 @@
 
 namespace straightedge::devices {
 
+class BenchConnection; // devices/instruments/bench_connection.h
+
 /// A value and when it was taken, in seconds on the bench's monotonic clock.
 struct TimedReading {
   double value = 0.0;
@@ -96,6 +98,7 @@ struct AngleBench {
   Thermometer* thermometer = nullptr; ///< optional
   AngleStream* stream = nullptr;      ///< optional: needed for plans with a sample rate
   BenchClock* clock = nullptr;
+  BenchConnection* connection = nullptr; ///< optional: instruments that can be unplugged
 };
 
 } // namespace straightedge::devices

@@ -50,6 +50,7 @@ struct FieldBench {
   TemperatureChamber* probeChamber = nullptr;       ///< optional: temperature sweeps of the probe
   TemperatureChamber* electronicsChamber = nullptr; ///< optional: temperature sweeps of the electronics
   BenchClock* clock = nullptr;                      ///< required
+  BenchConnection* connection = nullptr;            ///< optional: instruments that can be unplugged
 };
 
 } // namespace straightedge::devices

@@ -26,7 +26,7 @@ const std::vector<Room>& rooms() {
       {"devices/usb", {"core/base"}},
       {"devices/transport", {"core/base", "devices/usb"}},
       {"devices/instruments", {"core/base", "devices/transport"}},
-      {"devices/bench", {"core/base", "devices/usb", "devices/transport", "devices/instruments"}},
+      {"devices/bench", {"core/base", "devices/usb", "devices/transport", "devices/instruments", "devices/simulated"}},
       {"devices/simulated", {"core/base", "core/numerics", "core/field", "devices/instruments"}},
       {"devices/capture", {"core/base", "core/field", "core/session", "devices/instruments", "devices/simulated"}},
       {"app/cli", {"core/", "devices/"}},

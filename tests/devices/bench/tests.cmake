@@ -1,5 +1,6 @@
 straightedge_add_test(NAME devices_bench
-  SOURCES devices/bench/device_listing_test.cpp
+  SOURCES devices/bench/device_listing_test.cpp devices/bench/reading_pairing_test.cpp
+    devices/bench/saved_bench_test.cpp
   LIBRARIES straightedge::devices
   LABELS devices)
 
