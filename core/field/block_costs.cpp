@@ -5,8 +5,6 @@
 
 namespace straightedge::field {
 
-namespace {
-
 const char* costOf(Block block) {
   switch (block) {
   case Block::Nonlinearity:
@@ -28,8 +26,6 @@ const char* costOf(Block block) {
   }
   return "";
 }
-
-} // namespace
 
 CampaignStep stepOf(Block block) {
   switch (block) {

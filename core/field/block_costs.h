@@ -1,4 +1,4 @@
-// What a calibration lacks when a block is off, in sentences. Private to the fit.
+// What a calibration lacks when a block is off, in sentences.
 #pragma once
 
 #include "core/field/calibration.h"
@@ -9,6 +9,9 @@ namespace straightedge::field {
 
 /// The step that the block is fitted to.
 CampaignStep stepOf(Block block);
+
+/// One or two whole sentences: what stays in the reading without the block.
+const char* costOf(Block block);
 
 /// "Block sensitivity of axis y is off: REASON. COST" `reason` without a full stop.
 FieldWarning switchedOff(Block block, const std::optional<Axis>& axis, const std::string& reason);

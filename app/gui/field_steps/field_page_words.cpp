@@ -1,0 +1,79 @@
+#include "app/gui/field_steps/field_page_words.h"
+
+#include "app/gui/figures/field_words.h"
+#include "core/base/number_text.h"
+#include "core/field/names.h"
+
+#include <QCoreApplication>
+
+namespace straightedge::gui {
+
+namespace {
+
+QString sayFieldWord(const char* text) { return QCoreApplication::translate("FieldWords", text); }
+
+QString latin(std::string_view text) { return QString::fromLatin1(text.data(), static_cast<qsizetype>(text.size())); }
+
+} // namespace
+
+QString stateWord(field::VerifiedState state) {
+  switch (state) {
+  case field::VerifiedState::Uncalibrated:
+    return sayFieldWord("Uncalibrated");
+  case field::VerifiedState::Nonlinearity:
+    return sayFieldWord("After nonlinearity");
+  case field::VerifiedState::Offset:
+    return sayFieldWord("After offset");
+  case field::VerifiedState::Sensitivity:
+    return sayFieldWord("After sensitivity");
+  case field::VerifiedState::Electronics:
+    return sayFieldWord("After electronics");
+  case field::VerifiedState::ElectronicsSensitivity:
+    return sayFieldWord("After electronics sensitivity");
+  case field::VerifiedState::Calibrated:
+    return sayFieldWord("Calibrated");
+  case field::VerifiedState::AxisMatrix:
+    return sayFieldWord("Field after axis matrix");
+  }
+  return {};
+}
+
+QString axisWord(const std::optional<field::Axis>& axis) {
+  return axis ? latin(field::axisName(*axis)) : sayFieldWord("all");
+}
+
+QString stageWord(field::CampaignStep step, const std::optional<field::Axis>& axis,
+                  const std::optional<field::Orientation>& orientation) {
+  QString text = stepTitle(step);
+  if (axis) {
+    text += QStringLiteral(", ") + latin(field::axisName(*axis));
+  }
+  if (orientation) {
+    text += QStringLiteral(", ") + withProperMinus(latin(field::orientationName(*orientation)));
+  }
+  return text;
+}
+
+QString withProperMinus(QString text) { return text.replace(QLatin1Char('-'), QChar(0x2212)); }
+
+QString percentFigure(double percent) {
+  constexpr int decimals = 4;
+  QString text = QString::number(percent, 'f', decimals);
+  if (text.toDouble() == 0.0) {
+    text.remove(QLatin1Char('-')); // no minus before zeros
+  }
+  return withProperMinus(text);
+}
+
+QString percentPhrase(double percent) {
+  return withProperMinus(QString::fromStdString(formatForPeople(percent, 3))) + QStringLiteral(" %");
+}
+
+QString residualFigure(field::Block block, double value) {
+  constexpr double teslaToMicrotesla = 1e6;
+  return block == field::Block::ProbeTemperature
+             ? QString::fromStdString(formatForPeople(value, 3)) + QStringLiteral(" °C")
+             : QString::fromStdString(formatForPeople(value * teslaToMicrotesla, 3)) + QStringLiteral(" µT");
+}
+
+} // namespace straightedge::gui
