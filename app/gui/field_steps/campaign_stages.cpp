@@ -110,9 +110,11 @@ std::vector<ListedStage> campaignStages(const FieldDocument& document) {
   for (const CampaignRun& run : runs) {
     if (before == nullptr || before->step != run.step || before->axis != run.axis ||
         before->orientation != run.orientation) {
-      stages.push_back({.step = run.step,
-                        .title = stageWord(run.step, run.axis, run.orientation),
-                        .needsLock = field::needsOf(run.step).reference});
+      ListedStage stage;
+      stage.step = run.step;
+      stage.title = stageWord(run.step, run.axis, run.orientation);
+      stage.needsLock = field::needsOf(run.step).reference;
+      stages.push_back(std::move(stage));
     }
     before = &run;
     ListedStage& stage = stages.back();

@@ -4,7 +4,8 @@
 namespace straightedge::gui {
 
 StepPage* makeFieldExportStep(FieldStepContext, QWidget* parent) {
-  return new PlaceholderStep(QStringLiteral("Export"), QStringLiteral("field"), parent);
+  return new PlaceholderStep(QStringLiteral("Export"), QStringLiteral("field"),
+                             QStringLiteral("Export with straightedge-cli field fit and export."), parent);
 }
 
 } // namespace straightedge::gui

@@ -141,17 +141,17 @@ QList<FieldFitPresenter::BeforeAfter> FieldFitPresenter::beforeAfter() const {
 
 ReportTable FieldFitPresenter::orders() const {
   const std::shared_ptr<const field::FieldRun> run = m_document.run();
-  return run ? ordersTable(run->result) : ReportTable{};
+  return run ? fitOrdersTable(run->result) : ReportTable{};
 }
 
 ReportTable FieldFitPresenter::blockRows() const {
   const std::shared_ptr<const field::FieldRun> run = m_document.run();
-  return run ? blocksTable(run->result, m_document.choices().blocksOff) : ReportTable{};
+  return run ? fitBlocksTable(run->result, m_document.choices().blocksOff) : ReportTable{};
 }
 
 ReportTable FieldFitPresenter::states() const {
   const std::shared_ptr<const field::FieldRun> run = m_document.run();
-  return run ? statesTable(run->result.verification, field::PercentOf::FullScale) : ReportTable{};
+  return run ? fitStatesTable(run->result.verification, field::PercentOf::FullScale) : ReportTable{};
 }
 
 QString FieldFitPresenter::missing() const {

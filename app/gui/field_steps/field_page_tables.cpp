@@ -23,7 +23,7 @@ QString foretold(const std::optional<double>& percent) {
 
 } // namespace
 
-ReportTable ordersTable(const field::FieldCalibration& calibration) {
+ReportTable fitOrdersTable(const field::FieldCalibration& calibration) {
   ReportTable table;
   table.header = {sayFieldTable("Axis"),
                   sayFieldTable("Order"),
@@ -40,7 +40,7 @@ ReportTable ordersTable(const field::FieldCalibration& calibration) {
   return table;
 }
 
-ReportTable blocksTable(const field::FieldCalibration& calibration, const std::set<field::Block>& offByChoice) {
+ReportTable fitBlocksTable(const field::FieldCalibration& calibration, const std::set<field::Block>& offByChoice) {
   ReportTable table;
   table.header = {sayFieldTable("Block"),    sayFieldTable("Axis"),         sayFieldTable("Rows"),
                   sayFieldTable("Left out"), sayFieldTable("Coefficients"), sayFieldTable("Residual, 1 σ"),
@@ -67,7 +67,7 @@ ReportTable blocksTable(const field::FieldCalibration& calibration, const std::s
   return table;
 }
 
-ReportTable statesTable(const std::vector<field::VerificationRow>& rows, field::PercentOf of) {
+ReportTable fitStatesTable(const std::vector<field::VerificationRow>& rows, field::PercentOf of) {
   ReportTable table;
   const bool ofReading = of == field::PercentOf::Reading;
   table.header = {sayFieldTable("Axis"),

@@ -11,10 +11,10 @@ namespace straightedge::gui {
 
 /// A row per axis and order of the nonlinearity: largest error, and foretold by cross-validation, percent of full
 /// scale.
-ReportTable ordersTable(const field::FieldCalibration& calibration);
+ReportTable fitOrdersTable(const field::FieldCalibration& calibration);
 /// A row per block and axis: rows, coefficients, what the block's own fit leaves; why a block is off.
-ReportTable blocksTable(const field::FieldCalibration& calibration, const std::set<field::Block>& offByChoice);
+ReportTable fitBlocksTable(const field::FieldCalibration& calibration, const std::set<field::Block>& offByChoice);
 /// A row per axis and state: mean, one sigma and peak in percent.
-ReportTable statesTable(const std::vector<field::VerificationRow>& rows, field::PercentOf of);
+ReportTable fitStatesTable(const std::vector<field::VerificationRow>& rows, field::PercentOf of);
 
 } // namespace straightedge::gui

@@ -137,7 +137,7 @@ PlotSpec FieldVerifyPresenter::emptyPlot() const {
 
 ReportTable FieldVerifyPresenter::table() const {
   const auto& report = m_document.verification();
-  return report ? statesTable(report->verification.rows, report->of) : ReportTable{};
+  return report ? fitStatesTable(report->verification.rows, report->of) : ReportTable{};
 }
 
 QString FieldVerifyPresenter::missing() const {

@@ -5,15 +5,17 @@
 
 namespace straightedge::gui {
 
-PlaceholderStep::PlaceholderStep(const QString& title, const QString& helpPage, QWidget* parent)
+PlaceholderStep::PlaceholderStep(const QString& title, const QString& helpPage, const QString& instead, QWidget* parent)
     : StepPage(parent), m_title(title), m_helpPage(helpPage) {
   auto* layout = new QVBoxLayout(this);
-  auto* label = new QLabel(PlaceholderStep::missing(), this);
-  label->setAlignment(Qt::AlignCenter);
+  auto* label = new QLabel(instead, this);
+  label->setTextFormat(Qt::RichText);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   label->setWordWrap(true);
-  layout->addWidget(label);
+  label->setMaximumWidth(fontMetrics().averageCharWidth() * 100);
+  layout->addStretch(1);
+  layout->addWidget(label, 0, Qt::AlignHCenter);
+  layout->addStretch(2);
 }
-
-QString PlaceholderStep::missing() const { return tr("The step %1 is not part of this build.").arg(m_title); }
 
 } // namespace straightedge::gui

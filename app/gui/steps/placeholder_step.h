@@ -1,4 +1,4 @@
-// A page for a step that is not built yet: its name, what is missing, nothing else.
+// A page for a step that is not built yet: its name, and what to do instead.
 #pragma once
 
 #include "app/gui/steps/step_page.h"
@@ -8,10 +8,10 @@ namespace straightedge::gui {
 class PlaceholderStep : public StepPage {
   Q_OBJECT
 public:
-  PlaceholderStep(const QString& title, const QString& helpPage, QWidget* parent);
+  /// `instead`: rich text for the page.
+  PlaceholderStep(const QString& title, const QString& helpPage, const QString& instead, QWidget* parent);
   QString title() const override { return m_title; }
   QString helpPage() const override { return m_helpPage; }
-  QString missing() const override;
 
 private:
   QString m_title;

@@ -1,4 +1,5 @@
-// Pictures of every step for the eye: screenshots FOLDER writes each in light and dark. Not a test; run it with
+// Pictures of every step for the eye: screenshots FOLDER writes each in light and dark, of an angle calibration;
+// screenshots FOLDER field those of a field calibration. Not a test; run it with
 // QT_QPA_PLATFORM=offscreen, and once more with QT_SCALE_FACTOR=2 for 200 %.
 #include "app/gui/shell/program_start.h"
 #include "app/gui/shell/theme.h"
@@ -6,9 +7,11 @@
 #include "tests/app/gui/end_to_end/window_driver.h"
 
 #include <QApplication>
+#include <QComboBox>
 #include <QDir>
 #include <QSignalSpy>
 #include <QTabBar>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -120,6 +123,41 @@ void walk(MainWindow& window, Album& album) {
   album.take(QStringLiteral("export"));
 }
 
+void walkField(MainWindow& window, Album& album) {
+  WindowDriver driver(window);
+  window.newFieldCalibration();
+  for (const char* step : {"Connect", "Capture", "Review", "Fit", "Compare", "Verify", "Export"}) {
+    driver.step(QString::fromLatin1(step));
+    album.take(QString::fromLatin1(step).toLower() + QStringLiteral("-empty"));
+  }
+  window.openExample(QStringLiteral(":/examples/hall_probe_campaign.csv"));
+  album.settle();
+  driver.step(QStringLiteral("Review"));
+  album.take(QStringLiteral("review"));
+  driver.step(QStringLiteral("Fit"));
+  album.take(QStringLiteral("fit"));
+  auto* tables = driver.find<QTabWidget>(QStringLiteral("fitTables"));
+  for (int i = 1; i < tables->count(); ++i) {
+    tables->setCurrentIndex(i);
+    driver.find<QComboBox>(QStringLiteral("fitFigure"))->setCurrentIndex(4 * i);
+    album.take(QStringLiteral("fit-") + tables->tabText(i).toLower());
+  }
+  FieldChoices choices = window.field().document().choices();
+  choices.blocksOff.insert(straightedge::field::Block::Offset);
+  window.field().document().setChoices(choices, QStringLiteral("Switch off"));
+  album.take(QStringLiteral("fit-block-off"));
+  window.field().document().undoStack().undo();
+  driver.step(QStringLiteral("Compare"));
+  album.settle();
+  album.take(QStringLiteral("compare"));
+  driver.find<QTabWidget>(QStringLiteral("fieldComparison"))->setCurrentIndex(1);
+  album.take(QStringLiteral("compare-table"));
+  driver.step(QStringLiteral("Verify"));
+  album.take(QStringLiteral("verify"));
+  driver.step(QStringLiteral("Export"));
+  album.take(QStringLiteral("export"));
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -128,14 +166,19 @@ int main(int argc, char** argv) {
   qputenv("XDG_CONFIG_HOME", home.path().toUtf8());
   QApplication application(argc, argv);
   prepareApplication(application);
-  if (argc != 2 || !QDir().mkpath(QString::fromLocal8Bit(argv[1]))) {
-    std::fputs("usage: screenshots FOLDER\n", stderr);
+  const bool fieldWanted = argc == 3 && QByteArray(argv[2]) == "field";
+  if ((argc != 2 && !fieldWanted) || !QDir().mkpath(QString::fromLocal8Bit(argv[1]))) {
+    std::fputs("usage: screenshots FOLDER [field]\n", stderr);
     return 2;
   }
   MainWindow window(std::make_unique<QuietPrompts>());
   window.resize(1280, 800);
   window.show();
   Album album(window, QString::fromLocal8Bit(argv[1]));
-  walk(window, album);
+  if (fieldWanted) {
+    walkField(window, album);
+  } else {
+    walk(window, album);
+  }
   return 0;
 }
