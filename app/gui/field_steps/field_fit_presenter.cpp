@@ -1,8 +1,8 @@
 #include "app/gui/field_steps/field_fit_presenter.h"
 
 #include "app/gui/field_steps/field_page_figures.h"
-#include "app/gui/field_steps/field_page_tables.h"
 #include "app/gui/field_steps/field_page_words.h"
+#include "app/gui/figures/field_report_tables.h"
 #include "app/gui/figures/field_words.h"
 #include "app/gui/figures/figure_parts.h"
 #include "core/field/block_costs.h"
@@ -141,17 +141,39 @@ QList<FieldFitPresenter::BeforeAfter> FieldFitPresenter::beforeAfter() const {
 
 ReportTable FieldFitPresenter::orders() const {
   const std::shared_ptr<const field::FieldRun> run = m_document.run();
-  return run ? fitOrdersTable(run->result) : ReportTable{};
+  return run ? ordersTable(run->result) : ReportTable{};
 }
 
 ReportTable FieldFitPresenter::blockRows() const {
   const std::shared_ptr<const field::FieldRun> run = m_document.run();
-  return run ? fitBlocksTable(run->result, m_document.choices().blocksOff) : ReportTable{};
+  if (!run) {
+    return {};
+  }
+  ReportTable table = blocksTable(run->result);
+  table.lastNumericColumn = static_cast<int>(table.header.size()) - 1;
+  table.header << tr("How");
+  for (QStringList& row : table.rows) { // the report has no room for it
+    const auto summary = std::ranges::find_if(run->result.blocks, [&row](const field::BlockSummary& each) {
+      return blockTitle(each.block) == row[0] && axisWord(each.axis) == row[1];
+    });
+    row << (summary == run->result.blocks.end() ? QString() : fromText(summary->how));
+  }
+  return table;
+}
+
+ReportTable FieldFitPresenter::coefficients() const {
+  const std::shared_ptr<const field::FieldRun> run = m_document.run();
+  return run ? chainTable(run->result.chain) : ReportTable{};
+}
+
+ReportTable FieldFitPresenter::uncertainty() const {
+  const std::shared_ptr<const field::FieldRun> run = m_document.run();
+  return run && run->result.uncertainty ? fieldUncertaintyTable(*run->result.uncertainty) : ReportTable{};
 }
 
 ReportTable FieldFitPresenter::states() const {
   const std::shared_ptr<const field::FieldRun> run = m_document.run();
-  return run ? fitStatesTable(run->result.verification, field::PercentOf::FullScale) : ReportTable{};
+  return run ? fieldVerificationTable(run->result.verification, field::PercentOf::FullScale) : ReportTable{};
 }
 
 QString FieldFitPresenter::missing() const {

@@ -46,7 +46,9 @@ public:
   QList<BeforeAfter> beforeAfter() const;
   ReportTable orders() const;
   ReportTable blockRows() const;
-  ReportTable states() const; ///< verification state by state, percent of full scale
+  ReportTable coefficients() const;
+  ReportTable uncertainty() const; ///< shares of it
+  ReportTable states() const;      ///< verification state by state, percent of full scale
 
   QString missing() const; ///< empty when there is a fit; otherwise what to do
   QList<Notice> notices() const;

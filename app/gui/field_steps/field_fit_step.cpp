@@ -162,6 +162,8 @@ QWidget* FieldFitStep::makeTables() {
   m_states = add(QStringLiteral("fitStates"), tr("Before and after"));
   m_orders = add(QStringLiteral("fitOrders"), tr("Orders"));
   m_blockRows = add(QStringLiteral("fitBlocks"), tr("Blocks"));
+  m_coefficients = add(QStringLiteral("fitCoefficients"), tr("Coefficients"));
+  m_uncertainty = add(QStringLiteral("fitUncertainty"), tr("Uncertainty"));
   auto* copy = new QPushButton(tr("Co&py table"), m_tabs);
   copy->setObjectName(QStringLiteral("copyFitTable"));
   m_tabs->setCornerWidget(copy);
@@ -187,6 +189,8 @@ void FieldFitStep::refresh() {
   m_states->setTable(m_presenter.states());
   m_orders->setTable(m_presenter.orders());
   m_blockRows->setTable(m_presenter.blockRows());
+  m_coefficients->setTable(m_presenter.coefficients());
+  m_uncertainty->setTable(m_presenter.uncertainty());
 }
 
 void FieldFitStep::showChoices() {

@@ -54,6 +54,8 @@ private:
   ResultTable* m_states = nullptr;
   ResultTable* m_orders = nullptr;
   ResultTable* m_blockRows = nullptr;
+  ResultTable* m_coefficients = nullptr;
+  ResultTable* m_uncertainty = nullptr;
 };
 
 } // namespace straightedge::gui

@@ -16,28 +16,6 @@ QString latin(std::string_view text) { return QString::fromLatin1(text.data(), s
 
 } // namespace
 
-QString stateWord(field::VerifiedState state) {
-  switch (state) {
-  case field::VerifiedState::Uncalibrated:
-    return sayFieldWord("Uncalibrated");
-  case field::VerifiedState::Nonlinearity:
-    return sayFieldWord("After nonlinearity");
-  case field::VerifiedState::Offset:
-    return sayFieldWord("After offset");
-  case field::VerifiedState::Sensitivity:
-    return sayFieldWord("After sensitivity");
-  case field::VerifiedState::Electronics:
-    return sayFieldWord("After electronics");
-  case field::VerifiedState::ElectronicsSensitivity:
-    return sayFieldWord("After electronics sensitivity");
-  case field::VerifiedState::Calibrated:
-    return sayFieldWord("Calibrated");
-  case field::VerifiedState::AxisMatrix:
-    return sayFieldWord("Field after axis matrix");
-  }
-  return {};
-}
-
 QString axisWord(const std::optional<field::Axis>& axis) {
   return axis ? latin(field::axisName(*axis)) : sayFieldWord("all");
 }
@@ -67,13 +45,6 @@ QString percentFigure(double percent) {
 
 QString percentPhrase(double percent) {
   return withProperMinus(QString::fromStdString(formatForPeople(percent, 3))) + QStringLiteral(" %");
-}
-
-QString residualFigure(field::Block block, double value) {
-  constexpr double teslaToMicrotesla = 1e6;
-  return block == field::Block::ProbeTemperature
-             ? QString::fromStdString(formatForPeople(value, 3)) + QStringLiteral(" °C")
-             : QString::fromStdString(formatForPeople(value * teslaToMicrotesla, 3)) + QStringLiteral(" µT");
 }
 
 } // namespace straightedge::gui

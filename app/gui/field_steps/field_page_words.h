@@ -1,4 +1,4 @@
-// What the pages of a field calibration call states, stages and axes, and how they write percentages.
+// What the pages of a field calibration call stages and axes, and how they write percentages.
 #pragma once
 
 #include "core/field/calibration.h"
@@ -9,7 +9,6 @@
 
 namespace straightedge::gui {
 
-QString stateWord(field::VerifiedState state);            ///< "After sensitivity"
 QString axisWord(const std::optional<field::Axis>& axis); ///< "x"; "all" without one
 QString stageWord(field::CampaignStep step, const std::optional<field::Axis>& axis,
                   const std::optional<field::Orientation>& orientation); ///< "Nonlinearity, x", "Orientation, +x"
@@ -17,8 +16,6 @@ QString stageWord(field::CampaignStep step, const std::optional<field::Axis>& ax
 QString percentFigure(double percent);
 /// Three significant digits for sentences, "0.0123 %".
 QString percentPhrase(double percent);
-/// "12.3 µT", or "0.0123 °C" for the probe's temperature.
-QString residualFigure(field::Block block, double value);
 QString withProperMinus(QString text);
 
 } // namespace straightedge::gui

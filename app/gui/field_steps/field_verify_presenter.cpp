@@ -1,8 +1,8 @@
 #include "app/gui/field_steps/field_verify_presenter.h"
 
 #include "app/gui/field_steps/field_page_figures.h"
-#include "app/gui/field_steps/field_page_tables.h"
 #include "app/gui/field_steps/field_page_words.h"
+#include "app/gui/figures/field_report_tables.h"
 #include "app/gui/figures/figure_parts.h"
 #include "app/gui/jobs/job_runner.h"
 #include "core/field/campaign_csv.h"
@@ -137,7 +137,7 @@ PlotSpec FieldVerifyPresenter::emptyPlot() const {
 
 ReportTable FieldVerifyPresenter::table() const {
   const auto& report = m_document.verification();
-  return report ? fitStatesTable(report->verification.rows, report->of) : ReportTable{};
+  return report ? fieldVerificationTable(report->verification.rows, report->of) : ReportTable{};
 }
 
 QString FieldVerifyPresenter::missing() const {

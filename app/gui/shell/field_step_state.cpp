@@ -11,7 +11,7 @@ namespace {
 
 QString sayFieldState(const char* text) { return QCoreApplication::translate("FieldStepState", text); }
 
-QString percentText(double value) { return QString::fromStdString(formatForPeople(value, 3)) + QStringLiteral(" %"); }
+QString statePercent(double value) { return QString::fromStdString(formatForPeople(value, 3)) + QStringLiteral(" %"); }
 
 StepState fieldCaptureState(const FieldDocument& document) {
   if (const auto rows = document.campaign().rows.size(); rows > 0) {
@@ -24,7 +24,7 @@ StepState fieldVerifyState(const FieldDocument& document) {
   if (const auto& report = document.verification()) {
     const QString text = (report->met ? sayFieldState("Passed: largest error %1, limit %2.")
                                       : sayFieldState("Failed: largest error %1, limit %2."))
-                             .arg(percentText(report->peakPercent), percentText(report->limitPercent));
+                             .arg(statePercent(report->peakPercent), statePercent(report->limitPercent));
     return {report->met ? StepProgress::Done : StepProgress::Failed, text};
   }
   if (const auto& error = document.verificationError()) {

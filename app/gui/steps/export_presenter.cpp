@@ -17,17 +17,14 @@ const QString exportJob = QStringLiteral("export");
 
 } // namespace
 
-ExportPresenter::ExportPresenter(AngleDocument& document, JobRunner& jobs, QObject* parent)
-    : QObject(parent), m_document(document), m_jobs(jobs) {
-  connect(&document, &AngleDocument::opened, this, [this] {
+ExportPresenter::ExportPresenter(CalibrationDocument& document, JobRunner& jobs, const QString& folderName,
+                                 QObject* parent)
+    : QObject(parent), m_document(document), m_jobs(jobs), m_folderName(folderName) {
+  connect(&document, &CalibrationDocument::opened, this, [this] {
     m_folder.clear();
     forgetWritten();
   });
-  connect(&document, &AngleDocument::titleChanged, this, &ExportPresenter::changed);
-  connect(&document, &AngleDocument::runChanged, this, &ExportPresenter::forgetWritten);
-  connect(&document, &AngleDocument::choicesChanged, this, &ExportPresenter::forgetWritten);
-  connect(&document, &AngleDocument::comparisonChanged, this, &ExportPresenter::changed);
-  connect(&document, &AngleDocument::verificationChanged, this, &ExportPresenter::forgetWritten);
+  connect(&document, &CalibrationDocument::titleChanged, this, &ExportPresenter::changed);
   connect(&jobs, &JobRunner::jobProgress, this, [this](const QString& key, double fraction) {
     if (key == exportJob) {
       m_progress = fraction;
@@ -64,7 +61,7 @@ void ExportPresenter::forgetWritten() {
 
 QString ExportPresenter::suggestedFolder() const {
   const QString name = m_document.isScratch() || m_document.file().isEmpty()
-                           ? tr("Angle calibration")
+                           ? m_folderName
                            : QFileInfo(m_document.file()).completeBaseName();
   const QString parent = m_document.isScratch() || m_document.file().isEmpty()
                              ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
@@ -79,29 +76,10 @@ void ExportPresenter::setChoices(const ExportChoices& choices) {
   }
 }
 
-std::shared_ptr<const AngleResults> ExportPresenter::results(bool ownSweep) const {
-  auto results = std::make_shared<AngleResults>();
-  results->run = m_document.run();
-  if (!results->run) {
-    return results;
-  }
-  results->calibration = results->run->result;
-  results->sweep = ownSweep ? std::make_shared<const angle::Sweep>(m_document.sweep())
-                            : std::shared_ptr<const angle::Sweep>(std::shared_ptr<void>(), &m_document.sweep());
-  results->comparison = m_document.comparison();
-  results->verification = m_document.verification();
-  const AngleChoices& choices = m_document.choices();
-  results->selected = choices.selected;
-  results->targetErrorDeg = choices.targetErrorDeg;
-  results->budgetEntries = choices.budgetEntries;
-  results->bits = choices.bits;
-  return results;
-}
-
 QStringList ExportPresenter::fileNames() const {
   QStringList names;
-  if (m_document.run()) {
-    for (const FileToWrite& file : filesToWrite(results(false), m_choices)) {
+  if (missing().isEmpty()) {
+    for (const FileToWrite& file : files(FilesFor::Listing)) {
       names << file.name;
     }
   }
@@ -119,16 +97,7 @@ QStringList ExportPresenter::existing() const {
   return there;
 }
 
-QString ExportPresenter::missing() const {
-  if (m_document.run()) {
-    return {};
-  }
-  return m_document.sweep().size() == 0
-             ? tr("There is nothing to export yet: capture a sweep or import a CSV file first.")
-             : tr("The calibration is not computed: see the step Fit.");
-}
-
-bool ExportPresenter::canStart() const { return m_document.run() && !isRunning() && !fileNames().isEmpty(); }
+bool ExportPresenter::canStart() const { return missing().isEmpty() && !isRunning() && !fileNames().isEmpty(); }
 
 void ExportPresenter::start() {
   if (!canStart()) {
@@ -141,8 +110,8 @@ void ExportPresenter::start() {
   m_writtenFolder = folder();
   m_jobs.run<QStringList>(
       exportJob, tr("Exporting"),
-      [results = results(true), choices = m_choices, target = m_writtenFolder](const JobControl& job) {
-        return writeFiles(filesToWrite(results, choices), target, job);
+      [files = files(FilesFor::Job), target = m_writtenFolder](const JobControl& job) {
+        return writeFiles(files, target, job);
       },
       [this](Result<QStringList> names) {
         m_failed = !names;

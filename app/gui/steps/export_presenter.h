@@ -1,7 +1,7 @@
 // What the step Export says and does, without widgets: what to write where, progress, and what was written.
 #pragma once
 
-#include "app/gui/document/angle_document.h"
+#include "app/gui/document/calibration_document.h"
 #include "app/gui/figures/export_files.h"
 
 #include <QObject>
@@ -12,12 +12,11 @@ namespace straightedge::gui {
 
 class JobRunner;
 
-/// GUI thread; files are made and written in a job.
+/// GUI thread; files are made and written in a job. What there is to write comes from the kind of calibration
+/// (AngleExportPresenter, FieldExportPresenter).
 class ExportPresenter : public QObject {
   Q_OBJECT
 public:
-  ExportPresenter(AngleDocument& document, JobRunner& jobs, QObject* parent = nullptr);
-
   QString folder() const;
   void setFolder(const QString& folder);
   /// Below the user's documents, named after the calibration; the document's own folder once it is saved.
@@ -25,9 +24,9 @@ public:
   const ExportChoices& choices() const { return m_choices; }
   void setChoices(const ExportChoices& choices);
 
-  QStringList fileNames() const; ///< what the choices come to now
-  QStringList existing() const;  ///< those of them that are in the folder already and would be replaced
-  QString missing() const;       ///< a calibration is needed first
+  QStringList fileNames() const;       ///< what the choices come to now
+  QStringList existing() const;        ///< those of them that are in the folder already and would be replaced
+  virtual QString missing() const = 0; ///< a calibration is needed first; empty where there is one
   bool canStart() const;
   void start();
   void stop();
@@ -43,14 +42,20 @@ signals:
   void changed();
   void progressChanged();
 
-private:
+protected:
+  /// Who may write: files that are only listed, now, or made in a job while the document goes on.
+  enum class FilesFor : std::uint8_t { Listing, Job };
+
+  /// `folderName`: of the suggested folder while the document is not saved.
+  ExportPresenter(CalibrationDocument& document, JobRunner& jobs, const QString& folderName, QObject* parent);
+  /// What the choices come to; asked only while nothing is missing.
+  virtual std::vector<FileToWrite> files(FilesFor use) const = 0;
   void forgetWritten(); ///< what was written is no longer what would be written
 
-  /// Without `ownSweep` the document's own sweep is looked at, for use at once.
-  std::shared_ptr<const AngleResults> results(bool ownSweep) const;
-
-  AngleDocument& m_document;
+private:
+  CalibrationDocument& m_document;
   JobRunner& m_jobs;
+  QString m_folderName;
   QString m_folder; ///< empty: the suggested one
   ExportChoices m_choices;
   double m_progress = 0.0;

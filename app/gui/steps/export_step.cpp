@@ -1,5 +1,6 @@
 #include "app/gui/steps/export_step.h"
 
+#include "app/gui/steps/angle_export_presenter.h"
 #include "app/gui/steps/notice_list.h"
 
 #include <QCheckBox>
@@ -19,15 +20,16 @@
 
 namespace straightedge::gui {
 
-ExportStep::ExportStep(StepContext context, QWidget* parent)
-    : StepPage(parent), m_presenter(context.document, context.jobs) {
+ExportStep::ExportStep(std::unique_ptr<ExportPresenter> presenter, const QString& helpPage,
+                       const QList<ExportRow>& rows, QWidget* parent)
+    : StepPage(parent), m_owned(std::move(presenter)), m_presenter(*m_owned), m_helpPage(helpPage) {
   auto* page = new QVBoxLayout(this);
   m_notices = new NoticeList(this);
   page->addWidget(m_notices);
   auto* columns = new QHBoxLayout;
   columns->setSpacing(16);
   page->addLayout(columns, 1);
-  columns->addWidget(makeChoices(), 3);
+  columns->addWidget(makeChoices(rows), 3);
   columns->addWidget(makeFiles(), 2);
   connect(&m_presenter, &ExportPresenter::changed, this, &ExportStep::refresh);
   connect(&m_presenter, &ExportPresenter::changed, this, &StepPage::availabilityChanged);
@@ -37,7 +39,7 @@ ExportStep::ExportStep(StepContext context, QWidget* parent)
 
 QString ExportStep::title() const { return tr("Export"); }
 
-QString ExportStep::helpPage() const { return QStringLiteral("export"); }
+QString ExportStep::helpPage() const { return m_helpPage; }
 
 QString ExportStep::missing() const { return m_presenter.missing(); }
 
@@ -48,21 +50,7 @@ void ExportStep::entered() {
 
 void ExportStep::left() { m_shown = false; }
 
-QCheckBox* ExportStep::addChoice(QGridLayout* grid, int row, int column, const QString& text, const QString& name,
-                                 bool ExportChoices::* member) {
-  auto* box = new QCheckBox(text, this);
-  box->setObjectName(name);
-  grid->addWidget(box, row, column);
-  m_boxes.append({box, member});
-  connect(box, &QCheckBox::toggled, this, [this, member](bool on) {
-    ExportChoices choices = m_presenter.choices();
-    choices.*member = on;
-    m_presenter.setChoices(choices);
-  });
-  return box;
-}
-
-QWidget* ExportStep::makeChoices() {
+QWidget* ExportStep::makeChoices(const QList<ExportRow>& rows) {
   auto* area = new QWidget(this);
   auto* column = new QVBoxLayout(area);
   column->setContentsMargins(0, 0, 0, 0);
@@ -84,27 +72,23 @@ QWidget* ExportStep::makeChoices() {
   grid->setColumnStretch(4, 1);
   grid->setHorizontalSpacing(18);
   grid->setVerticalSpacing(9);
-  const auto caption = [&](int row, const QString& text) { grid->addWidget(new QLabel(text, what), row, 0); };
-  caption(0, tr("Calibration"));
-  addChoice(grid, 0, 1, tr("JSON"), QStringLiteral("exportCalibration"), &ExportChoices::calibration)
-      ->setToolTip(tr("calibration.json: all models with errors, uncertainty and traceability"));
-  caption(1, tr("Table of each model"));
-  addChoice(grid, 1, 1, tr("CSV"), QStringLiteral("exportTablesCsv"), &ExportChoices::tablesCsv);
-  addChoice(grid, 1, 2, tr("JSON"), QStringLiteral("exportTablesJson"), &ExportChoices::tablesJson);
-  caption(2, tr("Readings"));
-  addChoice(grid, 2, 1, tr("CSV"), QStringLiteral("exportSweep"), &ExportChoices::sweep)
-      ->setToolTip(tr("sweep.csv: the readings the calibration was made from"));
-  caption(3, tr("Comparison of methods"));
-  addChoice(grid, 3, 1, tr("CSV"), QStringLiteral("exportComparison"), &ExportChoices::comparison);
-  caption(4, tr("Plots"));
-  addChoice(grid, 4, 1, tr("PNG"), QStringLiteral("exportPng"), &ExportChoices::plotsPng);
-  addChoice(grid, 4, 2, tr("SVG"), QStringLiteral("exportSvg"), &ExportChoices::plotsSvg);
-  addChoice(grid, 4, 3, tr("PDF"), QStringLiteral("exportPdf"), &ExportChoices::plotsPdf);
-  caption(5, tr("Report"));
-  addChoice(grid, 5, 1, tr("PDF"), QStringLiteral("exportReportPdf"), &ExportChoices::reportPdf)
-      ->setToolTip(tr("Every plot and table, numbered, on A4 pages"));
-  addChoice(grid, 5, 2, tr("HTML"), QStringLiteral("exportReportHtml"), &ExportChoices::reportHtml)
-      ->setToolTip(tr("The same as one page for a browser"));
+  for (const ExportRow& each : rows) {
+    const int row = grid->rowCount();
+    grid->addWidget(new QLabel(each.caption, what), row, 0);
+    for (const ExportRow::Box& format : each.boxes) {
+      auto* box = new QCheckBox(format.text, what);
+      box->setObjectName(format.name);
+      box->setToolTip(format.hint);
+      box->setAccessibleName(each.caption + QStringLiteral(", ") + format.text);
+      grid->addWidget(box, row, 1 + static_cast<int>(&format - each.boxes.data()));
+      m_boxes.append({box, format.member});
+      connect(box, &QCheckBox::toggled, this, [this, member = format.member](bool on) {
+        ExportChoices choices = m_presenter.choices();
+        choices.*member = on;
+        m_presenter.setChoices(choices);
+      });
+    }
+  }
   column->addWidget(what);
 
   auto* buttons = new QHBoxLayout;
@@ -211,6 +195,34 @@ void ExportStep::startOrStop() {
   m_presenter.start();
 }
 
-StepPage* makeExportStep(StepContext context, QWidget* parent) { return new ExportStep(context, parent); }
+QList<ExportRow> ExportStep::pictureRows() {
+  return {{tr("Plots"),
+           {{tr("PNG"), QStringLiteral("exportPng"), {}, &ExportChoices::plotsPng},
+            {tr("SVG"), QStringLiteral("exportSvg"), {}, &ExportChoices::plotsSvg},
+            {tr("PDF"), QStringLiteral("exportPdf"), {}, &ExportChoices::plotsPdf}}},
+          {tr("Report"),
+           {{tr("PDF"), QStringLiteral("exportReportPdf"), tr("Every plot and table, numbered, on A4 pages"),
+             &ExportChoices::reportPdf},
+            {tr("HTML"), QStringLiteral("exportReportHtml"), tr("The same as one page for a browser"),
+             &ExportChoices::reportHtml}}}};
+}
+
+StepPage* makeExportStep(StepContext context, QWidget* parent) {
+  const auto say = [](const char* text) { return ExportStep::tr(text); };
+  const QList<ExportRow> rows{
+      {say("Calibration"),
+       {{say("JSON"), QStringLiteral("exportCalibration"),
+         say("calibration.json: all models with errors, uncertainty and traceability"), &ExportChoices::calibration}}},
+      {say("Table of each model"),
+       {{say("CSV"), QStringLiteral("exportTablesCsv"), {}, &ExportChoices::tablesCsv},
+        {say("JSON"), QStringLiteral("exportTablesJson"), {}, &ExportChoices::tablesJson}}},
+      {say("Readings"),
+       {{say("CSV"), QStringLiteral("exportSweep"), say("sweep.csv: the readings the calibration was made from"),
+         &ExportChoices::sweep}}},
+      {say("Comparison of methods"),
+       {{say("CSV"), QStringLiteral("exportComparison"), {}, &ExportChoices::comparison}}}};
+  return new ExportStep(std::make_unique<AngleExportPresenter>(context.document, context.jobs),
+                        QStringLiteral("export"), rows + ExportStep::pictureRows(), parent);
+}
 
 } // namespace straightedge::gui

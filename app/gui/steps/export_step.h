@@ -4,8 +4,11 @@
 #include "app/gui/steps/export_presenter.h"
 #include "app/gui/steps/step_page.h"
 
+#include <QList>
+
+#include <memory>
+
 class QCheckBox;
-class QGridLayout;
 class QLabel;
 class QLineEdit;
 class QListWidget;
@@ -16,10 +19,23 @@ namespace straightedge::gui {
 
 class NoticeList;
 
+/// A kind of file with a box for each of its formats.
+struct ExportRow {
+  struct Box {
+    QString text, name, hint; ///< "CSV"; of the widget; tooltip
+    bool ExportChoices::* member;
+  };
+  QString caption;
+  QList<Box> boxes;
+};
+
 class ExportStep : public StepPage {
   Q_OBJECT
 public:
-  explicit ExportStep(StepContext context, QWidget* parent = nullptr);
+  ExportStep(std::unique_ptr<ExportPresenter> presenter, const QString& helpPage, const QList<ExportRow>& rows,
+             QWidget* parent = nullptr);
+  /// The rows that every kind of calibration ends with: plots and report.
+  static QList<ExportRow> pictureRows();
 
   QString title() const override;
   QString helpPage() const override;
@@ -28,15 +44,15 @@ public:
   void left() override;
 
 private:
-  QWidget* makeChoices();
+  QWidget* makeChoices(const QList<ExportRow>& rows);
   QWidget* makeFiles();
-  QCheckBox* addChoice(QGridLayout* grid, int row, int column, const QString& text, const QString& name,
-                       bool ExportChoices::* member);
   void refresh();
   void chooseFolder();
   void startOrStop();
 
-  ExportPresenter m_presenter;
+  std::unique_ptr<ExportPresenter> m_owned;
+  ExportPresenter& m_presenter;
+  QString m_helpPage;
   bool m_shown = false;
   bool m_stale = true;
   NoticeList* m_notices = nullptr;

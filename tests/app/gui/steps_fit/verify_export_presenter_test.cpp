@@ -1,4 +1,4 @@
-#include "app/gui/steps/export_presenter.h"
+#include "app/gui/steps/angle_export_presenter.h"
 #include "app/gui/steps/verify_presenter.h"
 #include "tests/app/gui/steps_fit/document_fixture.h"
 
@@ -99,7 +99,7 @@ void VerifyExportPresenterTest::namesAFileThatCannotBeRead() {
 void VerifyExportPresenterTest::exportsWhatIsChosen() {
   const QTemporaryDir folder;
   OpenDocument open;
-  ExportPresenter presenter(open.document, open.jobs);
+  AngleExportPresenter presenter(open.document, open.jobs);
   QVERIFY(!presenter.canStart());
   QVERIFY(presenter.missing().contains("nothing to export"));
   QVERIFY(open.load());
@@ -136,7 +136,7 @@ void VerifyExportPresenterTest::exportReportsAFolderThatCannotBeMade() {
   QVERIFY(blocked.open(QIODevice::WriteOnly));
   OpenDocument open;
   QVERIFY(open.load());
-  ExportPresenter presenter(open.document, open.jobs);
+  AngleExportPresenter presenter(open.document, open.jobs);
   presenter.setFolder(folder.filePath("blocked/out"));
   presenter.setChoices({.plotsPng = false, .reportPdf = false});
   presenter.start();
