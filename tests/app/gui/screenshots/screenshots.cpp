@@ -1,6 +1,8 @@
 // Pictures of every step for the eye: screenshots FOLDER writes each in light and dark, of an angle calibration;
 // screenshots FOLDER field those of a field calibration. Not a test; run it with
 // QT_QPA_PLATFORM=offscreen, and once more with QT_SCALE_FACTOR=2 for 200 %.
+#include "app/gui/document/field_document.h"
+#include "app/gui/shell/field_workspace.h"
 #include "app/gui/shell/program_start.h"
 #include "app/gui/shell/theme.h"
 #include "tests/app/gui/end_to_end/quiet_prompts.h"
