@@ -63,6 +63,7 @@ double& valueOf(AxisChain& axis, const ChainParameter& parameter) {
 
 std::vector<ChainParameter> independentParameters(const AxisChain& axis) {
   std::vector<ChainParameter> parameters;
+  parameters.reserve(axis.nonlinearity.size());
   for (std::size_t k = 0; k < axis.nonlinearity.size(); ++k) {
     parameters.push_back({ChainBlock::Nonlinearity, k});
   }

@@ -96,6 +96,7 @@ Result<std::vector<FieldSweep>> sweepsOf(const SweepInputs& inputs, const std::s
 
 int distinctFields(const std::vector<FieldSweep>& sweeps) {
   std::vector<double> fields;
+  fields.reserve(sweeps.size());
   for (const FieldSweep& sweep : sweeps) {
     fields.push_back(sweep.referenceT);
   }

@@ -46,6 +46,7 @@ std::vector<Run> runsOf(const StepRows& rows) {
 template <typename Get>
 double medianOf(const std::vector<Run>& runs, Get get) {
   std::vector<double> values;
+  values.reserve(runs.size());
   for (const Run& run : runs) {
     values.push_back(static_cast<double>(get(run)));
   }

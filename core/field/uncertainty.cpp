@@ -61,7 +61,7 @@ double halfWidth95(double mean, double sigma) {
 FieldUncertainty::FieldUncertainty(CorrectionChain chain, AppliedChain applied, JointReport closest,
                                    const ReadingNoise& noise, const FieldUncertaintyInputs& inputs,
                                    const TemperatureRange& range)
-    : m_chain(std::move(chain)), m_applied(std::move(applied)), m_closest(std::move(closest)), m_noise(noise),
+    : m_chain(std::move(chain)), m_applied(applied), m_closest(std::move(closest)), m_noise(noise),
       m_inputs(inputs), m_range(range),
       m_inverse(m_closest.chain.axisMatrix.value_or(Eigen::Matrix3d::Identity()).inverse()) {}
 

@@ -274,7 +274,7 @@ CaptureLoop::Step<bool> FieldWorker::takeRow(FieldTask task) {
   }
   const bool locked = sample.locked || !needsReference(stage);
   m_course.noteRow(task.stage, locked);
-  if (auto stored = store(std::move(sample)); !stored) {
+  if (auto stored = store(sample); !stored) {
     return std::unexpected(stored.error());
   }
   return locked;

@@ -77,6 +77,7 @@ std::vector<ProfileNode> ProfileJson::items(const ProfileNode& parent, std::stri
     return {};
   }
   std::vector<ProfileNode> all;
+  all.reserve(node.size());
   for (std::size_t i = 0; i < node.size(); ++i) {
     all.push_back(node.item(i));
   }

@@ -16,7 +16,7 @@ std::string hex4(std::uint16_t value) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string text;
   for (const unsigned shift : {12U, 8U, 4U, 0U}) {
-    text += digits[(value >> shift) & 0xFU];
+    text += digits[(unsigned{value} >> shift) & 0xFU];
   }
   return text;
 }
