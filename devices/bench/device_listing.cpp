@@ -106,7 +106,7 @@ std::string hexId(std::uint16_t id) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string text;
   for (const unsigned shift : {12U, 8U, 4U, 0U}) {
-    text += digits[(id >> shift) & 0xFU];
+    text += digits[(unsigned{id} >> shift) & 0xFU];
   }
   return text;
 }
