@@ -98,7 +98,7 @@ QString stageRemark(const ListedStage& stage, const FieldDocument& document) {
   if (touched == 0) {
     return {};
   }
-  return sayStage("something left out of %1 of %2").arg(touched).arg(stage.runs.size());
+  return sayStage("rows left out of %1 of %2").arg(touched).arg(stage.runs.size());
 }
 
 } // namespace

@@ -95,10 +95,14 @@ QWidget* FieldFitStep::makeChoices(QWidget* parent) {
   m_reference = number(QStringLiteral("referenceTemperature"), -50.0, 150.0, 2, tr(" °C"));
   m_reference->setStepType(QAbstractSpinBox::DefaultStepType);
   m_reference->setToolTip(tr("Temperature of probe and electronics at which nothing is corrected for it"));
+  for (QComboBox* narrow : {m_order, m_method}) { // the column is narrow; the open list is as wide as its entries
+    narrow->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    narrow->setMinimumContentsLength(6);
+  }
   form->addRow(tr("&Order"), m_order);
   form->addRow(tr("&Method"), m_method);
   form->addRow(tr("Full &scale"), m_fullScale);
-  form->addRow(tr("Reference &temperature"), m_reference);
+  form->addRow(tr("Reference a&t"), m_reference);
   connect(m_order, &QComboBox::activated, this, [this] { m_presenter.setOrder(m_order->currentData().toInt()); });
   connect(m_method, &QComboBox::activated, this,
           [this] { m_presenter.setMethod(static_cast<field::FitMethod>(m_method->currentData().toInt())); });

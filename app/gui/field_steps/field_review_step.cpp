@@ -325,6 +325,7 @@ void FieldReviewStep::showStages() {
     QTreeWidgetItem* top = m_stages->topLevelItem(static_cast<int>(place));
     if (top == nullptr) {
       top = new QTreeWidgetItem(m_stages);
+      top->setSizeHint(StageTitle, QSize(0, fontMetrics().height() + 8)); // of all rows: they are uniform
     }
     fillStageItem(*top,
                   {stage.title, QString(), QString::number(stage.rows),

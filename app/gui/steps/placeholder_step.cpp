@@ -1,5 +1,6 @@
 #include "app/gui/steps/placeholder_step.h"
 
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -12,9 +13,13 @@ PlaceholderStep::PlaceholderStep(const QString& title, const QString& helpPage, 
   label->setTextFormat(Qt::RichText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   label->setWordWrap(true);
-  label->setMaximumWidth(fontMetrics().averageCharWidth() * 100);
+  label->setFixedWidth(fontMetrics().averageCharWidth() * 90); // its height then follows from its text
+  auto* middle = new QHBoxLayout;
+  middle->addStretch(1);
+  middle->addWidget(label);
+  middle->addStretch(1);
   layout->addStretch(1);
-  layout->addWidget(label, 0, Qt::AlignHCenter);
+  layout->addLayout(middle);
   layout->addStretch(2);
 }
 

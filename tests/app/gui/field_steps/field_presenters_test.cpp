@@ -280,7 +280,7 @@ void FieldPresentersTest::reviewSaysWhatIsLeftOut() {
   QVERIFY(lost);
   QVERIFY2(presenter.stages()[lost->first].runs[lost->second].leftOut.contains("rejected: only 1 row"),
            qPrintable(presenter.stages()[lost->first].runs[lost->second].leftOut));
-  QVERIFY(presenter.stages()[0].leftOut.startsWith("something left out of"));
+  QVERIFY(presenter.stages()[0].leftOut.startsWith("rows left out of"));
 }
 
 void FieldPresentersTest::exportWritesFiles() {
