@@ -39,7 +39,7 @@ struct FieldReports {
 /// A calibration with the data it came from, for the window, plots and the report.
 struct FieldRun {
   CampaignParts parts;
-  FieldReports reports;             ///< of the fit step by step, whatever the method
+  FieldReports reports; ///< of the fit step by step, whatever the method
   FieldVerification verification;
   FieldCalibration result;
   /// Of the method joint: how it went, and what the fit step by step that it started from is and leaves.

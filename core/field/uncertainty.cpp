@@ -61,9 +61,8 @@ double halfWidth95(double mean, double sigma) {
 FieldUncertainty::FieldUncertainty(CorrectionChain chain, AppliedChain applied, JointReport closest,
                                    const ReadingNoise& noise, const FieldUncertaintyInputs& inputs,
                                    const TemperatureRange& range)
-    : m_chain(std::move(chain)), m_applied(applied), m_closest(std::move(closest)), m_noise(noise),
-      m_inputs(inputs), m_range(range),
-      m_inverse(m_closest.chain.axisMatrix.value_or(Eigen::Matrix3d::Identity()).inverse()) {}
+    : m_chain(std::move(chain)), m_applied(applied), m_closest(std::move(closest)), m_noise(noise), m_inputs(inputs),
+      m_range(range), m_inverse(m_closest.chain.axisMatrix.value_or(Eigen::Matrix3d::Identity()).inverse()) {}
 
 Result<FieldUncertainty> FieldUncertainty::of(const CampaignParts& parts, const CorrectionChain& chain,
                                               const FieldUncertaintyInputs& inputs, const std::string& name) {

@@ -92,7 +92,8 @@ TEST(BatchCommand, AFolderMayBeItsOwnOutput) {
 TEST(BatchCommand, SaysWhatIsMissing) {
   const TemporaryFolder folder;
   EXPECT_EQ(batch({folder.path(), "--out", folder.file("out")}).err,
-            "straightedge-cli: " + folder.path() + ": the folder holds no *.csv and no *.sedge; name the folder with the sweeps\n");
+            "straightedge-cli: " + folder.path() +
+                ": the folder holds no *.csv and no *.sedge; name the folder with the sweeps\n");
   folder.write("list", "# none\n");
   EXPECT_EQ(batch({folder.file("list"), "--out", folder.file("out")}).err,
             "straightedge-cli: " + folder.file("list") + ": the list names no files; write a path in each line\n");
