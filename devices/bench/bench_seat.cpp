@@ -1,6 +1,7 @@
 #include "devices/bench/bench_seat.h"
 
 #include "devices/instruments/profile_instrument.h"
+#include "devices/transport/recording_transport.h"
 #include "devices/transport/usb_serial_transport.h"
 #include "devices/transport/usbtmc_transport.h"
 
@@ -80,8 +81,9 @@ BenchSeat::BenchSeat(BenchInstrument wanted, BenchClock& clock)
 BenchSeat::~BenchSeat() = default;
 
 Result<std::unique_ptr<BenchSeat>> BenchSeat::make(BenchInstrument wanted, const ProfileSet& profiles,
-                                                   BenchClock& clock) {
+                                                   BenchClock& clock, BenchDialogueListener listener) {
   std::unique_ptr<BenchSeat> seat(new BenchSeat(std::move(wanted), clock));
+  seat->m_listener = std::move(listener);
   const BenchInstrument& asked = seat->m_wanted;
   std::vector<InstrumentRole> canFill;
   seat->m_known = knownInstrument(asked.instrument);
@@ -165,6 +167,21 @@ TransportResult<std::unique_ptr<Transport>> BenchSeat::openTransport(const Liste
                                               "choose another connection", m_name}});
 }
 
+std::unique_ptr<Transport> BenchSeat::listenedTo(std::unique_ptr<Transport> transport) {
+  if (!m_listener) {
+    return transport;
+  }
+  // A connection counts from its success: tries that failed belong to the one that follows.
+  return std::make_unique<RecordingTransport>(std::move(transport),
+                                              [this, connection = m_opened + 1](const DialogueEntry& entry) {
+                                                m_listener({.instrument = m_name,
+                                                            .wanted = m_wanted,
+                                                            .connection = connection,
+                                                            .transport = *m_transport,
+                                                            .entry = entry});
+                                              });
+}
+
 Result<void> BenchSeat::open(const DeviceLister& list) {
   m_instrument.reset();
   m_transport.reset(); // gives the device back before it is opened again
@@ -184,7 +201,7 @@ Result<void> BenchSeat::open(const DeviceLister& list) {
   if (!transport) {
     return std::unexpected(named(std::move(transport.error().error)));
   }
-  m_transport = *std::move(transport);
+  m_transport = listenedTo(*std::move(transport));
   std::unique_ptr<Instrument> instrument;
   if (m_known != nullptr) {
     auto made = m_known->make(*m_transport, m_clock, m_wanted.settings);
@@ -209,6 +226,7 @@ Result<void> BenchSeat::open(const DeviceLister& list) {
   m_instrument = std::move(instrument);
   m_knowsSign = m_instrument->fieldReference() != nullptr && m_instrument->fieldReference()->knowsSign();
   m_gone = false;
+  ++m_opened;
   return {};
 }
 

@@ -4,6 +4,7 @@
 #include "devices/bench/device_listing.h"
 #include "devices/bench/saved_bench.h"
 #include "devices/instruments/field_instruments.h"
+#include "devices/transport/dialogue.h"
 
 #include <functional>
 #include <memory>
@@ -13,12 +14,26 @@ namespace straightedge::devices {
 
 using DeviceLister = std::function<Result<std::vector<ListedDevice>>()>;
 
+/// One exchange with an instrument of a bench. The references are good during the call.
+struct BenchExchange {
+  const std::string& instrument; ///< the seat's name()
+  const BenchInstrument& wanted;
+  int connection = 1; ///< one more each time that the instrument came back; the entry's time begins anew with it
+  const Transport& transport;
+  const DialogueEntry& entry;
+};
+
+/// Called in the thread that uses the bench, after each exchange: also while it is opened, and again after a replug.
+using BenchDialogueListener = std::function<void(const BenchExchange&)>;
+
 /// The roles are asked through the seat, which stays when the instrument leaves and comes back: pointers to the seat's
 /// roles stay good. Thread: one at a time, the capture thread while a capture runs.
 class BenchSeat {
 public:
   /// Nothing is opened yet. Errors (Input): no instrument of this id; it cannot fill a role.
-  static Result<std::unique_ptr<BenchSeat>> make(BenchInstrument wanted, const ProfileSet& profiles, BenchClock& clock);
+  /// `listener` may be empty.
+  static Result<std::unique_ptr<BenchSeat>> make(BenchInstrument wanted, const ProfileSet& profiles, BenchClock& clock,
+                                                 BenchDialogueListener listener = {});
   ~BenchSeat();
   BenchSeat(const BenchSeat&) = delete;
   BenchSeat& operator=(const BenchSeat&) = delete;
@@ -49,6 +64,7 @@ private:
   BenchSeat(BenchInstrument wanted, BenchClock& clock);
   Result<ListedDevice> find(const DeviceLister& list) const;
   TransportResult<std::unique_ptr<Transport>> openTransport(const ListedDevice& device) const;
+  std::unique_ptr<Transport> listenedTo(std::unique_ptr<Transport> transport);
   SerialSettings serialSettings() const;
   bool fills(InstrumentRole role) const;
   template <typename T>
@@ -65,6 +81,8 @@ private:
   std::string m_name;
   std::unique_ptr<Transport> m_transport; // before the instrument, which uses it
   std::unique_ptr<Instrument> m_instrument;
+  BenchDialogueListener m_listener;
+  int m_opened = 0; ///< times that it was opened and set up
   InstrumentIdentity m_identity;
   bool m_knowsSign = false;
   bool m_gone = false;

@@ -3,13 +3,13 @@
 namespace straightedge::devices {
 
 Result<std::unique_ptr<OpenedBench>> OpenedBench::open(const SavedBench& bench, const ProfileSet& profiles,
-                                                       DeviceLister list) {
+                                                       DeviceLister list, const BenchDialogueListener& listener) {
   if (!list) {
     list = [profiles] { return listDevices(profiles); };
   }
   std::unique_ptr<OpenedBench> opened(new OpenedBench(bench, std::move(list)));
   for (const BenchInstrument& wanted : bench.instruments) {
-    auto seat = BenchSeat::make(wanted, profiles, opened->m_clock);
+    auto seat = BenchSeat::make(wanted, profiles, opened->m_clock, listener);
     if (!seat) {
       return std::unexpected(std::move(seat.error()));
     }

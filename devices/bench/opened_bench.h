@@ -14,10 +14,10 @@ namespace straightedge::devices {
 /// Thread: made by the controlling thread, then the capture thread's while a capture runs.
 class OpenedBench final : public BenchConnection {
 public:
-  /// Opens all instruments of the bench. `list` finds devices; listDevices() if it is empty. Errors: those of
-  /// BenchSeat.
+  /// Opens all instruments of the bench. `list` finds devices; listDevices() if it is empty. `listener`, if any, hears
+  /// all that is said with them. Errors: those of BenchSeat.
   static Result<std::unique_ptr<OpenedBench>> open(const SavedBench& bench, const ProfileSet& profiles,
-                                                   DeviceLister list = {});
+                                                   DeviceLister list = {}, const BenchDialogueListener& listener = {});
 
   /// Errors (Instrument): a role that is needed is not filled. The bench is turned by hand: no stage has a driver yet.
   Result<AngleBench> angleBench();

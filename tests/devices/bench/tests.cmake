@@ -11,3 +11,9 @@ straightedge_add_usb_test(NAME bench_cli
   LIBRARIES straightedge::core straightedge::devices nlohmann_json::nlohmann_json
   LABELS cli)
 add_dependencies(bench_cli straightedge-cli)
+
+# Benches in the test's own process, on emulated instruments.
+straightedge_add_usb_test(NAME bench_usb
+  SOURCES devices/bench/opened_bench_test.cpp
+  LIBRARIES straightedge::core straightedge::devices
+  LABELS devices)
