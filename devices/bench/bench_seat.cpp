@@ -11,6 +11,12 @@ namespace straightedge::devices {
 
 namespace {
 
+// Of what a person sends by hand: how long it may take, and on a line how long to listen for an answer.
+constexpr Milliseconds saidWithin{1000};
+constexpr Milliseconds answeredWithin{2000};
+constexpr Milliseconds lineAnsweredWithin{500};
+constexpr Milliseconds lineQuietAfter{100};
+
 std::unexpected<Error> profileOrDriverMissing(const std::string& id) {
   return fail(ErrorKind::Input, "there is no instrument '" + id + "'",
               "use an id of the instrument table or the name of a profile's file without .json", "bench");
@@ -31,29 +37,23 @@ struct BenchSeat::Roles {
   struct Sensor : AngleSensor {
     BenchSeat* seat = nullptr;
     InstrumentIdentity identity() const override { return seat->m_identity; }
-    Result<TimedReading> readDeg() override {
-      return seat->ask(seat->m_instrument ? seat->m_instrument->angleSensor() : nullptr, &AngleSensor::readDeg);
-    }
+    Result<TimedReading> readDeg() override { return seat->ask(&Instrument::angleSensor, &AngleSensor::readDeg); }
   } sensor;
   struct Reference : AngleReference {
     BenchSeat* seat = nullptr;
     InstrumentIdentity identity() const override { return seat->m_identity; }
-    Result<TimedReading> readDeg() override {
-      return seat->ask(seat->m_instrument ? seat->m_instrument->angleReference() : nullptr, &AngleReference::readDeg);
-    }
+    Result<TimedReading> readDeg() override { return seat->ask(&Instrument::angleReference, &AngleReference::readDeg); }
   } reference;
   struct Probe : FieldProbe {
     BenchSeat* seat = nullptr;
     InstrumentIdentity identity() const override { return seat->m_identity; }
-    Result<FieldReading> readT() override {
-      return seat->ask(seat->m_instrument ? seat->m_instrument->fieldProbe() : nullptr, &FieldProbe::readT);
-    }
+    Result<FieldReading> readT() override { return seat->ask(&Instrument::fieldProbe, &FieldProbe::readT); }
   } probe;
   struct Field : FieldReference {
     BenchSeat* seat = nullptr;
     InstrumentIdentity identity() const override { return seat->m_identity; }
     Result<FieldReferenceReading> readT() override {
-      return seat->ask(seat->m_instrument ? seat->m_instrument->fieldReference() : nullptr, &FieldReference::readT);
+      return seat->ask(&Instrument::fieldReference, &FieldReference::readT);
     }
     bool knowsSign() const override { return seat->m_knowsSign; }
   } field;
@@ -61,14 +61,12 @@ struct BenchSeat::Roles {
     BenchSeat* seat = nullptr;
     InstrumentIdentity identity() const override { return seat->m_identity; }
     Result<TimedReading> readOhm() override {
-      return seat->ask(seat->m_instrument ? seat->m_instrument->resistanceMeter() : nullptr, &ResistanceMeter::readOhm);
+      return seat->ask(&Instrument::resistanceMeter, &ResistanceMeter::readOhm);
     }
   } resistance;
   struct Temperature : Thermometer {
     BenchSeat* seat = nullptr;
-    Result<TimedReading> readC() override {
-      return seat->ask(seat->m_instrument ? seat->m_instrument->thermometer() : nullptr, &Thermometer::readC);
-    }
+    Result<TimedReading> readC() override { return seat->ask(&Instrument::thermometer, &Thermometer::readC); }
   } temperature;
 };
 
@@ -182,7 +180,23 @@ std::unique_ptr<Transport> BenchSeat::listenedTo(std::unique_ptr<Transport> tran
                                               });
 }
 
+bool BenchSeat::isThere() const {
+  const std::lock_guard turn(m_turn);
+  return m_instrument != nullptr && !m_gone;
+}
+
+std::optional<TransportFault> BenchSeat::lastFault() const {
+  const std::lock_guard turn(m_turn);
+  return m_lastFault;
+}
+
+void BenchSeat::forgetFault() {
+  const std::lock_guard turn(m_turn);
+  m_lastFault.reset();
+}
+
 Result<void> BenchSeat::open(const DeviceLister& list) {
+  const std::lock_guard turn(m_turn);
   m_instrument.reset();
   m_transport.reset(); // gives the device back before it is opened again
   m_lastFault.reset();
@@ -243,13 +257,50 @@ Result<T> BenchSeat::told(Result<T> outcome) {
 }
 
 template <typename Role, typename Reading>
-Result<Reading> BenchSeat::ask(Role* role, Result<Reading> (Role::*read)()) {
-  if (role == nullptr || m_gone) {
+Result<Reading> BenchSeat::ask(Role* (Instrument::*role)(), Result<Reading> (Role::*read)()) {
+  const std::lock_guard turn(m_turn);
+  Role* const asked = m_instrument != nullptr && !m_gone ? (m_instrument.get()->*role)() : nullptr;
+  if (asked == nullptr) {
     m_gone = true;
     m_lastFault = TransportFault::Gone;
     return notThere();
   }
-  return told((role->*read)());
+  return told((asked->*read)());
+}
+
+TransportResult<std::string> BenchSeat::answer(std::string_view question) {
+  if (auto sent = m_transport->write(question, saidWithin); !sent) {
+    return std::unexpected(std::move(sent.error()));
+  }
+  if (m_transport->hasMessages()) { // IEEE 488.2: asking for a message that was not queried is an error
+    return question.contains('?') ? m_transport->read(answeredWithin) : std::string();
+  }
+  std::string all;
+  const auto end = std::chrono::steady_clock::now() + lineAnsweredWithin;
+  do {
+    auto came = m_transport->read(all.empty() ? lineAnsweredWithin : lineQuietAfter);
+    if (!came && came.error().fault != TransportFault::TimedOut) {
+      return came;
+    }
+    if (!came) {
+      break;
+    }
+    all += *came;
+  } while (!all.ends_with('\n') && std::chrono::steady_clock::now() < end); // a board may print without end
+  return all;
+}
+
+Result<std::string> BenchSeat::say(std::string_view bytes) {
+  const std::lock_guard turn(m_turn);
+  if (m_instrument == nullptr || m_gone) {
+    return notThere();
+  }
+  auto said = answer(bytes);
+  if (!said) {
+    m_gone = said.error().fault == TransportFault::Gone;
+    return std::unexpected(named(std::move(said.error().error)));
+  }
+  return *std::move(said);
 }
 
 bool BenchSeat::fills(InstrumentRole role) const {

@@ -8,7 +8,9 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <string_view>
 
 namespace straightedge::devices {
 
@@ -27,7 +29,8 @@ struct BenchExchange {
 using BenchDialogueListener = std::function<void(const BenchExchange&)>;
 
 /// The roles are asked through the seat, which stays when the instrument leaves and comes back: pointers to the seat's
-/// roles stay good. Thread: one at a time, the capture thread while a capture runs.
+/// roles stay good. Threads: readings, open() and say() take turns, so that a live display may hand over to a capture
+/// without waiting for the reading in hand; which role it can fill is asked by the thread that opened it, before.
 class BenchSeat {
 public:
   /// Nothing is opened yet. Errors (Input): no instrument of this id; it cannot fill a role.
@@ -41,7 +44,7 @@ public:
   /// Finds, opens and sets up. Errors (Instrument): not plugged in, two with this serial number, cannot be opened, does
   /// not answer, another instrument than before.
   Result<void> open(const DeviceLister& list);
-  bool isThere() const { return m_instrument != nullptr && !m_gone; }
+  bool isThere() const;
   bool isPluggedIn(const DeviceLister& list) const; ///< whether open() has something to find
 
   const std::string& name() const { return m_name; } ///< "US Digital QSB encoder reader, serial FT-1"
@@ -55,9 +58,13 @@ public:
   ResistanceMeter* resistanceMeter();
   Thermometer* thermometer();
 
+  /// Sends bytes as they are, for a console, and returns what came back: nothing where no answer came. A message
+  /// without a question mark (USBTMC) is not answered. Errors (Instrument): not there, the transport's.
+  Result<std::string> say(std::string_view bytes);
+
   /// Of the last reading, as BenchConnection::lastFault().
-  std::optional<TransportFault> lastFault() const { return m_lastFault; }
-  void forgetFault() { m_lastFault.reset(); }
+  std::optional<TransportFault> lastFault() const;
+  void forgetFault();
 
 private:
   struct Roles;
@@ -70,10 +77,12 @@ private:
   template <typename T>
   Result<T> told(Result<T> outcome);
   template <typename Role, typename Reading>
-  Result<Reading> ask(Role* role, Result<Reading> (Role::*read)());
+  Result<Reading> ask(Role* (Instrument::*role)(), Result<Reading> (Role::*read)());
   Error named(Error error) const;
   std::unexpected<Error> notThere() const;
+  TransportResult<std::string> answer(std::string_view question);
 
+  mutable std::mutex m_turn; ///< held while the instrument is talked to; guards what follows from m_transport on
   BenchInstrument m_wanted;
   BenchClock& m_clock;
   const KnownInstrument* m_known = nullptr; ///< null: it has a profile

@@ -34,8 +34,13 @@ Role* OpenedBench::filled(Role* (BenchSeat::*role)()) {
 }
 
 std::unexpected<Error> OpenedBench::unfilled(InstrumentRole role) const {
+  if (const BenchInstrument* chosen = m_saved.filling(role)) {
+    return fail(ErrorKind::Instrument,
+                chosen->instrument + " does not fill the role " + std::string(roleWord(role)) + " with its settings",
+                "change its settings, or give the role to another instrument", m_saved.name);
+  }
   return fail(ErrorKind::Instrument, "no instrument of the bench fills the role " + std::string(roleWord(role)),
-              "add one to the bench's file", m_saved.name);
+              "give the role to an instrument", m_saved.name);
 }
 
 Result<AngleBench> OpenedBench::angleBench() {
@@ -68,6 +73,65 @@ Result<FieldBench> OpenedBench::fieldBench() {
     return unfilled(InstrumentRole::FieldProbe);
   }
   return bench;
+}
+
+namespace {
+
+Result<RoleReading> shownReading(const Result<TimedReading>& reading) {
+  return reading ? Result<RoleReading>(RoleReading{.values = {reading->value}, .note = {}})
+                 : std::unexpected(reading.error());
+}
+
+Result<RoleReading> shownReading(const Result<FieldReading>& reading) {
+  if (!reading) {
+    return std::unexpected(reading.error());
+  }
+  return reading->overRange ? RoleReading{.values = {}, .note = "beyond its range"}
+                            : RoleReading{.values = {reading->rawT.begin(), reading->rawT.end()}, .note = {}};
+}
+
+Result<RoleReading> shownReading(const Result<FieldReferenceReading>& reading) {
+  if (!reading) {
+    return std::unexpected(reading.error());
+  }
+  return reading->locked && reading->fieldT ? RoleReading{.values = {*reading->fieldT}, .note = {}}
+                                            : RoleReading{.values = {}, .note = "not locked"};
+}
+
+} // namespace
+
+template <typename Role>
+Result<RoleReading> OpenedBench::readValue(InstrumentRole role, Role* (BenchSeat::*filler)(),
+                                           Result<TimedReading> (Role::*read)()) {
+  Role* const asked = filled(filler);
+  if (asked == nullptr) {
+    return unfilled(role);
+  }
+  return shownReading((asked->*read)());
+}
+
+Result<RoleReading> OpenedBench::readRole(InstrumentRole role) {
+  switch (role) {
+  case InstrumentRole::AngleSensor:
+    return readValue(role, &BenchSeat::angleSensor, &AngleSensor::readDeg);
+  case InstrumentRole::AngleReference:
+    return readValue(role, &BenchSeat::angleReference, &AngleReference::readDeg);
+  case InstrumentRole::Resistance:
+    return readValue(role, &BenchSeat::resistanceMeter, &ResistanceMeter::readOhm);
+  case InstrumentRole::Temperature:
+    return readValue(role, &BenchSeat::thermometer, &Thermometer::readC);
+  case InstrumentRole::FieldProbe:
+    if (FieldProbe* probe = filled(&BenchSeat::fieldProbe)) {
+      return shownReading(probe->readT());
+    }
+    break;
+  case InstrumentRole::FieldReference:
+    if (FieldReference* reference = filled(&BenchSeat::fieldReference)) {
+      return shownReading(reference->readT());
+    }
+    break;
+  }
+  return unfilled(role);
 }
 
 std::optional<TransportFault> OpenedBench::lastFault() const {

@@ -7,11 +7,19 @@
 #include "devices/simulated/bench_clock.h"
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 namespace straightedge::devices {
 
-/// Thread: made by the controlling thread, then the capture thread's while a capture runs.
+/// What an instrument in a role reads right now.
+struct RoleReading {
+  std::vector<double> values; ///< degrees, tesla (three of them for a field probe), ohms, °C; empty where there is none
+  std::string note;           ///< why there is none although the instrument answered: "not locked"
+};
+
+/// Thread: made by one thread, which asks for the bench; then readings, say() and restore() may come from any, and take
+/// turns at each instrument.
 class OpenedBench final : public BenchConnection {
 public:
   /// Opens all instruments of the bench. `list` finds devices; listDevices() if it is empty. `listener`, if any, hears
@@ -23,6 +31,12 @@ public:
   Result<AngleBench> angleBench();
   Result<FieldBench> fieldBench();
   const SavedBench& saved() const { return m_saved; }
+  const std::string& instrumentName(std::size_t index) const { return m_seats.at(index)->name(); } ///< as in saved()
+
+  /// For a live display. Errors (Instrument): no instrument fills the role, or not with its settings; its own.
+  Result<RoleReading> readRole(InstrumentRole role);
+  /// For a console: BenchSeat::say() of the instrument with this place in saved().
+  Result<std::string> say(std::size_t index, std::string_view bytes) { return m_seats.at(index)->say(bytes); }
 
   std::optional<TransportFault> lastFault() const override;
   Result<bool> restore() override;
@@ -32,6 +46,9 @@ private:
   template <typename Role>
   Role* filled(Role* (BenchSeat::*role)());
   std::unexpected<Error> unfilled(InstrumentRole role) const;
+  template <typename Role>
+  Result<RoleReading> readValue(InstrumentRole role, Role* (BenchSeat::*filler)(),
+                                Result<TimedReading> (Role::*read)());
 
   SavedBench m_saved;
   DeviceLister m_list;

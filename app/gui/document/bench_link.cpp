@@ -45,6 +45,7 @@ struct BenchLink::Impl {
   std::shared_ptr<void> owner; ///< outlives everything below
   devices::AngleBench bench;
   std::vector<BenchInstrument> instruments;
+  bool simulated = false;
   bool liveWanted = false;
   std::unique_ptr<LiveReader> reader;
 
@@ -93,10 +94,14 @@ Result<void> BenchLink::connectSimulated(const devices::SimulatedAngleSettings& 
   auto simulated = std::make_shared<devices::SimulatedAngleBench>(settings);
   const devices::AngleBench bench = simulated->bench();
   m_impl->settings = settings;
-  return connectBench(bench, std::move(simulated));
+  return useBench(bench, std::move(simulated), true);
 }
 
 Result<void> BenchLink::connectBench(devices::AngleBench bench, std::shared_ptr<void> owner) {
+  return useBench(std::move(bench), std::move(owner), false);
+}
+
+Result<void> BenchLink::useBench(devices::AngleBench bench, std::shared_ptr<void> owner, bool simulated) {
   if (isCapturing()) {
     return fail(ErrorKind::Usage, "the bench cannot be changed during a capture", "stop the capture first");
   }
@@ -107,6 +112,7 @@ Result<void> BenchLink::connectBench(devices::AngleBench bench, std::shared_ptr<
   m_impl->reader.reset();
   m_impl->capture.reset(); // of the bench before; it points to that bench's instruments
   m_impl->bench = bench;
+  m_impl->simulated = simulated;
   m_impl->owner = std::move(owner);
   m_impl->instruments = {{tr("Sensor under calibration"), bench.sensor->identity()},
                          {tr("Reference encoder"), bench.reference->identity()}};
@@ -128,6 +134,10 @@ void BenchLink::disconnectBench() {
   emit connectionChanged();
 }
 
+bool BenchLink::isSimulated() const { return isConnected() && m_impl->simulated; }
+
+bool BenchLink::hasStage() const { return m_impl->bench.stage != nullptr; }
+
 const devices::SimulatedAngleSettings& BenchLink::simulatedSettings() const { return m_impl->settings; }
 
 void BenchLink::setLiveReading(bool on) {
@@ -136,7 +146,8 @@ void BenchLink::setLiveReading(bool on) {
 }
 
 void BenchLink::updateLiveReading() {
-  const bool wanted = m_impl->liveWanted && isConnected() && !isCapturing();
+  const bool ownerReads = m_impl->bench.connection != nullptr;
+  const bool wanted = m_impl->liveWanted && isConnected() && !ownerReads && !isCapturing();
   if (!wanted) {
     m_impl->reader.reset();
     return;
@@ -301,7 +312,9 @@ void BenchLink::onFrame() {
     m_impl->live.insert(m_impl->live.end(), fresh.begin(), fresh.end());
     emit samplesArrived(firstNew);
   }
-  if (progress.error && !m_impl->faultShown) {
+  if (!progress.error) {
+    m_impl->faultShown = false; // the instrument is back, and may leave again
+  } else if (!m_impl->faultShown) {
     m_impl->faultShown = true;
     emit failed(QString::fromStdString(progress.error->message()));
   }

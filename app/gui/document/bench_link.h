@@ -36,10 +36,13 @@ public:
   QString describe() const;  ///< instruments with model and serial, one per line
   std::vector<BenchInstrument> instruments() const;
   Result<void> connectSimulated(const devices::SimulatedAngleSettings& settings);
-  /// Any other bench; `owner` keeps its instruments alive while connected. Errors (Usage): a role that must be filled
-  /// is empty; a capture is running.
+  /// Any other bench; `owner` keeps its instruments alive while connected. Where its instruments can be unplugged
+  /// (AngleBench::connection) its owner reads it while it is idle, and there is no liveReading() from here. Errors
+  /// (Usage): a role that must be filled is empty; a capture is running.
   Result<void> connectBench(devices::AngleBench bench, std::shared_ptr<void> owner);
-  void disconnectBench(); ///< stops a running capture first; what was captured stays
+  bool isSimulated() const; ///< connected to the simulated bench
+  bool hasStage() const;    ///< false: the shaft is turned by hand
+  void disconnectBench();   ///< stops a running capture first; what was captured stays
   const devices::SimulatedAngleSettings& simulatedSettings() const;
 
   /// Live reading while connected and not capturing, about 20 times a second.
@@ -77,6 +80,7 @@ private:
   void endCapture();
   void onFrame();
   void onDocumentOpened();
+  Result<void> useBench(devices::AngleBench bench, std::shared_ptr<void> owner, bool simulated);
   void updateLiveReading();
 
   struct Impl;

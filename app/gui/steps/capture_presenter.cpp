@@ -102,6 +102,7 @@ void CapturePresenter::refreshPhase() {
     phase = Phase::NoBench;
   } else if (m_bench.isCapturing()) {
     phase = progress.state != devices::CaptureState::Paused ? Phase::Running
+            : progress.waitsForInstrument                   ? Phase::Waiting
             : progress.error                                ? Phase::Faulted
                                                             : Phase::Paused;
   }
@@ -113,6 +114,9 @@ void CapturePresenter::refreshPhase() {
     emit samplesArrived(0);
   }
   if (phase != m_phase) {
+    if (m_phase == Phase::Waiting && phase == Phase::Running) {
+      setProblem({}); // the instrument is back
+    }
     m_phase = phase;
     emit phaseChanged();
   }
@@ -144,11 +148,26 @@ double CapturePresenter::plannedDurationS() const {
   return turning + stationsOf(planned) * (planned.settleS + planned.averages * readingS);
 }
 
+QString CapturePresenter::turnByHand() const {
+  if (m_bench.hasStage()) {
+    return {};
+  }
+  const std::vector<devices::PlannedPoint> planned = devices::plannedPoints(m_shownPlan);
+  const auto done = static_cast<std::size_t>(std::max(0, m_bench.progress().pointsDone));
+  if (done >= planned.size()) {
+    return {};
+  }
+  const QString target = QString::number(planned[done].encoderDeg, 'f', 2).replace(QLatin1Char('-'), QChar(0x2212));
+  return tr("Turn the shaft to %1° and hold it still; the point is read by itself.").arg(target);
+}
+
 QString CapturePresenter::planSummary() const {
   const devices::AnglePlan& planned = plan();
-  const bool virtualClock = m_bench.isConnected() && !m_bench.simulatedSettings().realTime;
-  const QString duration =
-      virtualClock ? tr("as fast as the computer can") : tr("about %1").arg(durationText(plannedDurationS()));
+  const bool virtualClock = m_bench.isSimulated() && !m_bench.simulatedSettings().realTime;
+  const bool byHand = m_bench.isConnected() && !m_bench.hasStage();
+  const QString duration = byHand         ? tr("the shaft is turned by hand")
+                           : virtualClock ? tr("as fast as the computer can")
+                                          : tr("about %1").arg(durationText(plannedDurationS()));
   if (planned.sampleRateHz > 0.0) {
     const qint64 readings = std::llround(plannedDurationS() * planned.sampleRateHz);
     return tr("About %1 readings, %2").arg(countText(readings), duration);
@@ -239,7 +258,7 @@ QString CapturePresenter::progressText() const {
   }
   const devices::CaptureProgress progress = m_bench.progress();
   QString text = tr("%1 of %2 points").arg(countText(progress.pointsDone), countText(progress.pointsPlanned));
-  if (progress.remainingS && m_bench.simulatedSettings().realTime) {
+  if (progress.remainingS && (!m_bench.isSimulated() || m_bench.simulatedSettings().realTime)) {
     text += tr(", %1 left").arg(durationText(*progress.remainingS));
   }
   return text;
@@ -271,12 +290,15 @@ QString CapturePresenter::guidance() const {
     return tr("This calibration holds the beginning of a sweep: %1 of %2 points. Go on where it stopped, or start "
               "over.")
         .arg(countText(m_points.measuredPoints()), countText(stationsOf(*m_interrupted)));
+  case Phase::Waiting:
+    return tr("The capture waits for the instrument that was unplugged. Every reading so far is stored; the sweep goes "
+              "on by itself at the same point when it is back, at whatever port.");
   case Phase::Faulted:
     return tr("The capture is paused and every reading so far is stored. Mend the fault, then resume.");
   case Phase::Paused:
     return tr("Paused. Every reading so far is stored.");
   case Phase::Running:
-    return {};
+    return turnByHand();
   case Phase::Ready:
     break;
   }
@@ -312,6 +334,10 @@ std::span<const session::AngleSample> CapturePresenter::samplesFrom(int first) c
 
 void CapturePresenter::onProgress() {
   refreshPhase();
+  if (const QString now = guidance(); now != m_guidance) { // the next angle of a shaft turned by hand
+    m_guidance = now;
+    emit guidanceChanged();
+  }
   emit progressChanged();
 }
 

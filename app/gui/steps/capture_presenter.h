@@ -25,7 +25,8 @@ public:
     Interrupted, ///< the session holds the beginning of a sweep
     Running,
     Paused,
-    Faulted ///< paused by an instrument that failed; what was captured is safe
+    Waiting, ///< for an instrument that was unplugged: goes on by itself when it is back
+    Faulted  ///< paused by an instrument that failed; what was captured is safe
   };
 
   CapturePresenter(AngleDocument& document, BenchLink& bench, QObject* parent = nullptr);
@@ -71,6 +72,7 @@ signals:
   void progressChanged();         ///< once per frame while capturing
   void samplesArrived(int first); ///< trace and points have taken them in; 0: everything anew
   void problemChanged();
+  void guidanceChanged(); ///< within a phase
 
 private:
   void onSamples(int firstNew);
@@ -79,6 +81,7 @@ private:
   void showStoredSamples();
   void setProblem(const QString& problem);
   void refreshPhase();
+  QString turnByHand() const; ///< where to turn the shaft next; empty with a stage
 
   AngleDocument& m_document;
   BenchLink& m_bench;
@@ -90,6 +93,7 @@ private:
   qint64 m_readings = 0; ///< taken into m_trace
   Phase m_phase = Phase::NoBench;
   QString m_problem;
+  QString m_guidance; ///< as last told
 };
 
 } // namespace straightedge::gui

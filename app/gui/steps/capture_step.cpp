@@ -191,6 +191,10 @@ QWidget* CaptureStep::makePointsBox() {
 void CaptureStep::connectPresenter() {
   connect(&m_presenter, &CapturePresenter::phaseChanged, this, &CaptureStep::showPhase);
   connect(&m_presenter, &CapturePresenter::planChanged, this, &CaptureStep::showPlan);
+  connect(&m_presenter, &CapturePresenter::guidanceChanged, this, [this] {
+    m_guidance->setText(m_presenter.guidance());
+    m_guidance->setVisible(!m_presenter.guidance().isEmpty());
+  });
   connect(&m_presenter, &CapturePresenter::problemChanged, this, &CaptureStep::showNotices);
   connect(&m_presenter, &CapturePresenter::progressChanged, this, &CaptureStep::showFrame);
   connect(&m_presenter, &CapturePresenter::samplesArrived, this, &CaptureStep::takeSamples);
@@ -271,7 +275,7 @@ void CaptureStep::showPhase() {
   m_start->setDefault(phase == Phase::Ready && !complete);
   m_continue->setVisible(m_presenter.canContinueInterrupted());
   m_continue->setDefault(true);
-  m_pause->setVisible(capturing);
+  m_pause->setVisible(capturing && phase != Phase::Waiting);
   m_pause->setText(m_presenter.canResume() ? tr("&Resume") : tr("&Pause"));
   m_stop->setVisible(capturing);
   m_connect->setVisible(phase == Phase::NoBench);
@@ -288,9 +292,10 @@ void CaptureStep::showPhase() {
 }
 
 void CaptureStep::showNotices() {
-  m_notices->setNotices(m_presenter.problem().isEmpty()
-                            ? QList<Notice>{}
-                            : QList<Notice>{{Notice::Level::Problem, m_presenter.problem()}});
+  const bool waits = m_presenter.phase() == CapturePresenter::Phase::Waiting;
+  const Notice::Level level = waits ? Notice::Level::Warning : Notice::Level::Problem;
+  m_notices->setNotices(m_presenter.problem().isEmpty() ? QList<Notice>{}
+                                                        : QList<Notice>{{level, m_presenter.problem()}});
 }
 
 void CaptureStep::showProgress() {

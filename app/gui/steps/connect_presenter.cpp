@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace straightedge::gui {
 
@@ -41,6 +42,7 @@ QString joined(const std::string& first, const QString& word, const std::string&
 ConnectPresenter::ConnectPresenter(AngleDocument& document, BenchLink& bench, QObject* parent)
     : QObject(parent), m_document(document), m_bench(bench) {
   connect(&bench, &BenchLink::connectionChanged, this, [this] {
+    m_opened = std::exchange(m_opening, nullptr); // null where it was connected by somebody else
     m_reading.reset();
     m_differences.clear();
     m_steady = 0;
@@ -54,7 +56,7 @@ ConnectPresenter::ConnectPresenter(AngleDocument& document, BenchLink& bench, QO
       emit connectionChanged();
     }
   });
-  connect(&bench, &BenchLink::liveReading, this, &ConnectPresenter::onReading);
+  connect(&bench, &BenchLink::liveReading, this, &ConnectPresenter::takeReading);
   connect(&bench, &BenchLink::failed, this, &ConnectPresenter::setProblem);
   connect(&document, &AngleDocument::traceabilityChanged, this, &ConnectPresenter::traceabilityChanged);
   connect(&document, &AngleDocument::opened, this, &ConnectPresenter::traceabilityChanged);
@@ -72,6 +74,30 @@ void ConnectPresenter::connectSimulated(const devices::SimulatedAngleSettings& s
 void ConnectPresenter::disconnectBench() {
   m_bench.disconnectBench();
   setProblem({});
+}
+
+bool ConnectPresenter::simulated() const { return m_bench.isSimulated(); }
+
+bool ConnectPresenter::useInstruments(const std::shared_ptr<devices::OpenedBench>& opened) {
+  const Result<devices::AngleBench> bench = opened->angleBench();
+  m_opening = opened.get();
+  const Result<void> connection = bench ? m_bench.connectBench(*bench, opened) : std::unexpected(bench.error());
+  m_opening = nullptr;
+  setProblem(connection ? QString() : QString::fromStdString(connection.error().message()));
+  if (!connection) {
+    return false;
+  }
+  if (devices::AnglePlan plan = m_document.plan(); !(plan.pairing == opened->saved().pairing)) {
+    plan.pairing = opened->saved().pairing;
+    m_document.setPlan(plan);
+  }
+  return true;
+}
+
+void ConnectPresenter::letGoOfInstruments() {
+  if (m_opened != nullptr) {
+    disconnectBench();
+  }
 }
 
 QString ConnectPresenter::statusText() const {
@@ -103,7 +129,7 @@ QList<ConnectPresenter::Instrument> ConnectPresenter::instruments() const {
 
 void ConnectPresenter::setShown(bool shown) { m_bench.setLiveReading(shown); }
 
-void ConnectPresenter::onReading(double encoderDeg, double sensorDeg) {
+void ConnectPresenter::takeReading(double encoderDeg, double sensorDeg) {
   double difference = angle::wrap180(sensorDeg - encoderDeg);
   if (!m_differences.isEmpty()) { // continuous with the reading before
     difference = m_differences.back() + angle::wrap180(difference - m_differences.back());

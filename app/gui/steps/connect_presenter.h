@@ -3,6 +3,7 @@
 
 #include "app/gui/document/bench_link.h"
 #include "app/gui/plots/plot_spec.h"
+#include "devices/bench/opened_bench.h"
 
 #include <QList>
 #include <QObject>
@@ -36,9 +37,15 @@ public:
   QString statusText() const; ///< one line: what is connected, or what to do
   QString problem() const;    ///< the last thing that went wrong, with its remedy; empty after success
   QList<Instrument> instruments() const;
+  bool simulated() const; ///< connected to the simulated bench
+  /// Real instruments that were opened: they become the bench, and the plan pairs readings as it says.
+  bool useInstruments(const std::shared_ptr<devices::OpenedBench>& opened);
+  void letGoOfInstruments(); ///< they are being closed; nothing else is disconnected
+  bool usesInstruments(const devices::OpenedBench* opened) const { return opened != nullptr && m_opened == opened; }
 
   // Live reading
-  void setShown(bool shown); ///< reads only while somebody looks
+  void setShown(bool shown);                             ///< reads only while somebody looks
+  void takeReading(double encoderDeg, double sensorDeg); ///< of instruments that somebody else reads
   std::optional<Reading> reading() const;
   QString encoderText() const; ///< "123.4567°", a dash without a reading
   QString sensorText() const;
@@ -60,12 +67,13 @@ signals:
   void traceabilityChanged();
 
 private:
-  void onReading(double encoderDeg, double sensorDeg);
   void setProblem(const QString& problem);
 
   AngleDocument& m_document;
   BenchLink& m_bench;
   bool m_wasCapturing = false;
+  const devices::OpenedBench* m_opening = nullptr; ///< while the bench link is asked to take it
+  const devices::OpenedBench* m_opened = nullptr;  ///< that the bench link holds; compared only
   QString m_problem;
   std::optional<Reading> m_reading;
   QList<double> m_differences; ///< oldest first, continuous, since the connection

@@ -1,5 +1,7 @@
 #include "app/gui/steps/connect_step.h"
 
+#include "app/gui/bench/bench_console.h"
+#include "app/gui/bench/bench_panel.h"
 #include "app/gui/steps/live_dial.h"
 #include "app/gui/steps/notice_list.h"
 #include "app/gui/steps/simulated_bench_form.h"
@@ -12,12 +14,15 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSplitter>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 namespace straightedge::gui {
 
 ConnectStep::ConnectStep(StepContext context, QWidget* parent)
-    : StepPage(parent), m_presenter(context.document, context.bench) {
+    : StepPage(parent), m_presenter(context.document, context.bench),
+      m_realBench(context.jobs, {.kind = QStringLiteral("angle"), .roles = angleRoleSlots()}) {
   auto* page = new QVBoxLayout(this);
   m_notices = new NoticeList(this);
   page->addWidget(m_notices);
@@ -25,25 +30,54 @@ ConnectStep::ConnectStep(StepContext context, QWidget* parent)
   columns->setSpacing(16);
   page->addLayout(columns, 1);
   columns->addWidget(makeBenchColumn());
-  columns->addWidget(makeLiveBox(), 1);
+  auto* live = new QSplitter(Qt::Vertical, this);
+  live->addWidget(makeLiveBox());
+  live->addWidget(&m_panel->console());
+  live->setChildrenCollapsible(false);
+  live->setStretchFactor(0, 3);
+  live->setStretchFactor(1, 2);
+  columns->addWidget(live, 1);
 
   m_form->setSettings(context.bench.simulatedSettings());
   connect(&m_presenter, &ConnectPresenter::connectionChanged, this, &ConnectStep::showConnection);
   connect(&m_presenter, &ConnectPresenter::readingChanged, this, &ConnectStep::showReading);
   connect(&m_presenter, &ConnectPresenter::problemChanged, this, &ConnectStep::showProblem);
   connect(&m_presenter, &ConnectPresenter::traceabilityChanged, this, &ConnectStep::showTraceability);
+  connectInstruments();
   showConnection();
   showReading();
   showTraceability();
+}
+
+void ConnectStep::connectInstruments() {
+  connect(&m_realBench.opener(), &BenchOpener::opened, this, [this](const auto& bench) {
+    if (!m_presenter.useInstruments(bench)) {
+      m_realBench.close();
+    }
+  });
+  connect(&m_realBench.opener(), &BenchOpener::closed, &m_presenter, &ConnectPresenter::letGoOfInstruments);
+  connect(&m_realBench.opener(), &BenchOpener::angleRead, &m_presenter, &ConnectPresenter::takeReading);
+  connect(&m_presenter, &ConnectPresenter::connectionChanged, this, [this] {
+    m_realBench.setCapturing(!m_presenter.mayChange());
+    if (const auto& bench = m_realBench.opener().bench(); bench && !m_presenter.usesInstruments(bench.get())) {
+      m_realBench.close(); // another bench was connected in its place
+    }
+  });
 }
 
 QString ConnectStep::title() const { return tr("Connect"); }
 
 QString ConnectStep::helpPage() const { return QStringLiteral("connect"); }
 
-void ConnectStep::entered() { m_presenter.setShown(true); }
+void ConnectStep::entered() {
+  m_presenter.setShown(true);
+  m_realBench.setShown(true);
+}
 
-void ConnectStep::left() { m_presenter.setShown(false); }
+void ConnectStep::left() {
+  m_presenter.setShown(false);
+  m_realBench.setShown(false);
+}
 
 QWidget* ConnectStep::makeBenchColumn() {
   auto* content = new QWidget;
@@ -51,7 +85,39 @@ QWidget* ConnectStep::makeBenchColumn() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(12);
 
-  auto* box = new QGroupBox(tr("Simulated bench"), content);
+  m_tabs = new QTabWidget(content);
+  m_tabs->setObjectName(QStringLiteral("benchTabs"));
+  m_tabs->addTab(makeSimulatedTab(), tr("Si&mulated bench"));
+  auto* instruments = new QWidget;
+  auto* tab = new QVBoxLayout(instruments);
+  m_panel = new BenchPanel(m_realBench, instruments);
+  tab->addWidget(m_panel);
+  tab->addStretch(1);
+  m_tabs->addTab(instruments, tr("I&nstruments"));
+  m_tabs->setCurrentIndex(m_realBench.benchName().isEmpty() ? 0 : 1); // what was used last
+  column->addWidget(m_tabs);
+  m_next = new QPushButton(tr("Go on to Capture"), content);
+  m_next->setObjectName(QStringLiteral("goToCapture"));
+  auto* onward = new QHBoxLayout;
+  onward->addStretch(1);
+  onward->addWidget(m_next);
+  column->addLayout(onward);
+  column->addWidget(makeInstrumentsBox());
+  column->addWidget(makeTraceabilityBox());
+  column->addStretch(1);
+  connect(m_next, &QPushButton::clicked, this, [this] { emit goToStep(tr("Capture")); });
+
+  auto* scroll = new QScrollArea(this); // a small window must not cut the form
+  scroll->setWidget(content);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFixedWidth(content->fontMetrics().averageCharWidth() * 66);
+  return scroll;
+}
+
+QWidget* ConnectStep::makeSimulatedTab() {
+  auto* box = new QWidget;
   auto* layout = new QVBoxLayout(box);
   auto* about = new QLabel(tr("A magnet, a sensor and an encoder in software, with a truth that is known. For learning "
                               "the method and for trying out plans."),
@@ -67,37 +133,22 @@ QWidget* ConnectStep::makeBenchColumn() {
   auto* buttons = new QHBoxLayout;
   m_connect = new QPushButton(box);
   m_connect->setObjectName(QStringLiteral("connectBench"));
-  m_next = new QPushButton(tr("Go on to Capture"), box);
-  m_next->setObjectName(QStringLiteral("goToCapture"));
   buttons->addWidget(m_connect);
   buttons->addStretch(1);
-  buttons->addWidget(m_next);
   layout->addLayout(buttons);
-  column->addWidget(box);
-  column->addWidget(makeInstrumentsBox());
-  column->addWidget(makeTraceabilityBox());
-  column->addStretch(1);
-
+  layout->addStretch(1);
   connect(m_connect, &QPushButton::clicked, this, [this] {
-    if (m_presenter.connected()) {
+    if (m_presenter.simulated()) {
       m_presenter.disconnectBench();
     } else {
       m_presenter.connectSimulated(m_form->settings());
     }
   });
-  connect(m_next, &QPushButton::clicked, this, [this] { emit goToStep(tr("Capture")); });
-
-  auto* scroll = new QScrollArea(this); // a small window must not cut the form
-  scroll->setWidget(content);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFixedWidth(content->fontMetrics().averageCharWidth() * 58);
-  return scroll;
+  return box;
 }
 
 QWidget* ConnectStep::makeInstrumentsBox() {
-  auto* box = new QGroupBox(tr("Instruments"), this);
+  auto* box = new QGroupBox(tr("Connected"), this);
   auto* layout = new QVBoxLayout(box);
   m_instruments = new QLabel(box);
   m_instruments->setObjectName(QStringLiteral("instruments"));
@@ -193,8 +244,9 @@ QWidget* ConnectStep::makeLiveBox() {
 
 void ConnectStep::showConnection() {
   const bool connected = m_presenter.connected();
-  m_form->setEnabled(!connected);
-  m_connect->setText(connected ? tr("&Disconnect") : tr("&Connect"));
+  const bool simulated = m_presenter.simulated();
+  m_form->setEnabled(!simulated);
+  m_connect->setText(simulated ? tr("&Disconnect") : tr("&Connect"));
   m_connect->setEnabled(m_presenter.mayChange());
   m_connect->setDefault(!connected);
   m_next->setVisible(connected);

@@ -1,15 +1,18 @@
 // Step Connect: choose a bench, see its instruments and what they read right now.
 #pragma once
 
+#include "app/gui/bench/bench_presenter.h"
 #include "app/gui/steps/connect_presenter.h"
 #include "app/gui/steps/step_page.h"
 
 class QLabel;
 class QPushButton;
 class QDoubleSpinBox;
+class QTabWidget;
 
 namespace straightedge::gui {
 
+class BenchPanel;
 class LiveDial;
 class NoticeList;
 class SimulatedBenchForm;
@@ -27,6 +30,8 @@ public:
 
 private:
   QWidget* makeBenchColumn();
+  QWidget* makeSimulatedTab();
+  void connectInstruments();
   QWidget* makeLiveBox();
   QWidget* makeInstrumentsBox();
   QWidget* makeTraceabilityBox();
@@ -36,6 +41,9 @@ private:
   void showTraceability();
 
   ConnectPresenter m_presenter;
+  BenchPresenter m_realBench;
+  QTabWidget* m_tabs = nullptr;
+  BenchPanel* m_panel = nullptr;
   NoticeList* m_notices = nullptr;
   SimulatedBenchForm* m_form = nullptr;
   QPushButton* m_connect = nullptr;
