@@ -108,6 +108,7 @@ QWidget* ConnectStep::makeBenchColumn() {
   connect(m_next, &QPushButton::clicked, this, [this] { emit goToStep(tr("Capture")); });
 
   auto* scroll = new QScrollArea(this); // a small window must not cut the form
+  scroll->setObjectName(QStringLiteral("connectColumn"));
   scroll->setWidget(content);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);

@@ -87,8 +87,8 @@ void BenchDraftTest::whatCannotFillIsRefused() {
   const auto refused = draft.assign(Role::AngleSensor, nameless);
   QVERIFY(!refused);
   QVERIFY(refused.error().what.contains("has no serial number"));
-  nameless.port = devices::SerialPortInfo{.path = "/dev/ttyS0", .description = {}, .vendorId = {}, .productId = {},
-                                          .usbSerial = {}, .usbProduct = {}};
+  nameless.port = devices::SerialPortInfo{
+      .path = "/dev/ttyS0", .description = {}, .vendorId = {}, .productId = {}, .usbSerial = {}, .usbProduct = {}};
   QVERIFY(draft.assign(Role::AngleSensor, nameless));
   QCOMPARE(draft.filling(Role::AngleSensor)->port, std::string("/dev/ttyS0"));
 }
@@ -135,12 +135,12 @@ void BenchDraftTest::commandsAreFoundInRemedies() {
 
 void BenchDraftTest::cautionStaysMarked() {
   const devices::ProfileSet profiles = devices::readProfiles({});
-  QCOMPARE(instrumentCaution("usdigital-qsb", profiles),
-           QStringLiteral("Not yet tried on hardware. Not confirmed: the bit of the direction, the unit of its stamps."));
+  QCOMPARE(
+      instrumentCaution("usdigital-qsb", profiles),
+      QStringLiteral("Not yet tried on hardware. Not confirmed: the bit of the direction, the unit of its stamps."));
   QVERIFY(instrumentCaution(profiles.profiles.front().id, profiles).startsWith("Not yet tried on hardware."));
   QCOMPARE(deviceUse(listedMouse(), angleRoleSlots()), QStringLiteral("Not an instrument that Straightedge knows"));
-  QCOMPARE(deviceUse(listedTeslameter(), angleRoleSlots()),
-           QStringLiteral("Of no use for this kind of calibration"));
+  QCOMPARE(deviceUse(listedTeslameter(), angleRoleSlots()), QStringLiteral("Of no use for this kind of calibration"));
   QCOMPARE(deviceUse(listedTeslameter(), fieldRoleSlots()), QStringLiteral("Is used as: Teslameter under calibration"));
   QCOMPARE(deviceWhere(listedBoard()), QStringLiteral("2341:0043, serial ACM-1"));
 }

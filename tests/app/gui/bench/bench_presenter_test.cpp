@@ -35,8 +35,10 @@ struct Desk {
   PretendedDesk plugged;
   BenchPresenter presenter;
 
-  explicit Desk(const std::vector<devices::ListedDevice>& devices = {}, const std::vector<RoleSlot>& roles = angleRoleSlots())
-      : presenter(jobs, {.kind = QStringLiteral("test"), .roles = roles, .lister = lister(devices), .byEvents = false}) {
+  explicit Desk(const std::vector<devices::ListedDevice>& devices = {},
+                const std::vector<RoleSlot>& roles = angleRoleSlots())
+      : presenter(jobs,
+                  {.kind = QStringLiteral("test"), .roles = roles, .lister = lister(devices), .byEvents = false}) {
     presenter.setShown(true);
   }
   void plug(const std::vector<devices::ListedDevice>& devices) {

@@ -1,0 +1,14 @@
+# Real instruments in the window: presenters and panel on a pretended desk, the window on emulated USB; one program, so
+# that it links once. `gui_bench --pictures FOLDER` writes pictures for the eye.
+straightedge_add_qt_test(NAME gui_bench
+  SOURCES
+    app/gui/bench/main.cpp
+    app/gui/bench/bench_draft_test.cpp
+    app/gui/bench/bench_panel_test.cpp
+    app/gui/bench/bench_presenter_test.cpp
+    app/gui/bench/bench_window_test.cpp
+    app/gui/end_to_end/window_driver.cpp
+  LIBRARIES straightedge::window emulated_usb
+  LABELS "gui;threads")
+set_tests_properties(gui_bench PROPERTIES
+  ENVIRONMENT "QT_QPA_PLATFORM=offscreen;QT_FATAL_CRITICALS=1;LD_PRELOAD=${STRAIGHTEDGE_USB_PRELOAD}")
