@@ -197,7 +197,10 @@ void BenchOpener::takeRoles(std::vector<RoleState> states) {
   const auto encoder = angle(devices::InstrumentRole::AngleReference);
   const auto sensor = angle(devices::InstrumentRole::AngleSensor);
   if (encoder && sensor) {
+    m_angleShown = true;
     emit angleRead(*encoder, *sensor);
+  } else if (std::exchange(m_angleShown, false)) {
+    emit angleLost();
   }
 }
 

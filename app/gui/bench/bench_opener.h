@@ -49,6 +49,7 @@ signals:
   void closed(); ///< whoever has the bench lets go of it
   void rolesRead();
   void angleRead(double encoderDeg, double sensorDeg); ///< of the same round, where both were read
+  void angleLost();                                    ///< one of them was read before and could not be now
   void said(int instrument, const QString& problem);   ///< empty: it was sent, and what was answered is in the dialogue
 
 private:
@@ -68,6 +69,7 @@ private:
   std::unique_ptr<RoleReader> m_reader;
   std::vector<RoleState> m_roles;
   std::optional<Error> m_problem;
+  bool m_angleShown = false;
   bool m_shown = false;
   bool m_capturing = false;
   int m_closings = 0;

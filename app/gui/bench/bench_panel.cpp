@@ -76,8 +76,13 @@ BenchPanel::BenchPanel(BenchPresenter& presenter, QWidget* parent) : QWidget(par
 
 QWidget* BenchPanel::makeBenchRow() {
   auto* row = new QWidget(this);
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* rows = new QVBoxLayout(row);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(4);
+  auto* layout = new QHBoxLayout;
+  auto* buttons = new QHBoxLayout;
+  rows->addLayout(layout);
+  rows->addLayout(buttons);
   m_saved = new QComboBox(row);
   m_saved->setObjectName(QStringLiteral("savedBenches"));
   m_saved->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -91,8 +96,9 @@ QWidget* BenchPanel::makeBenchRow() {
   m_delete->setObjectName(QStringLiteral("deleteBench"));
   layout->addWidget(heading(tr("&Bench"), m_saved, row));
   layout->addWidget(m_saved, 1);
+  buttons->addStretch(1);
   for (QPushButton* each : {m_save, m_saveAs, m_delete}) {
-    layout->addWidget(each);
+    buttons->addWidget(each);
   }
   return row;
 }

@@ -32,7 +32,7 @@ public:
     ground.text.clear();
     const QWidget* view = option.widget;
     view->style()->drawControl(QStyle::CE_ItemViewItem, &ground, painter, view);
-    const bool selected = option.state.testFlag(QStyle::State_Selected) && option.state.testFlag(QStyle::State_Active);
+    const bool selected = option.state.testFlag(QStyle::State_Selected);
     const QColor bright = option.palette.color(QPalette::HighlightedText);
     QRect line = option.rect.adjusted(rowMargin + 2, rowMargin, -rowMargin, -rowMargin);
     line.setHeight(option.fontMetrics.lineSpacing());

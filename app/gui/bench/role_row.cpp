@@ -48,6 +48,7 @@ RoleRow::RoleRow(const RoleSlot& slot, QWidget* parent) : QFrame(parent), m_role
   m_value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   m_value->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* top = new QHBoxLayout;
+  top->setSpacing(8);
   top->addWidget(title);
   if (!slot.needed) {
     auto* optional = new TintedLabel(quietColor, this);

@@ -1,7 +1,6 @@
 #include "app/gui/bench/tinted_label.h"
 
 #include <QApplication>
-#include <QEvent>
 
 namespace straightedge::gui {
 
@@ -9,7 +8,6 @@ TintedLabel::TintedLabel(Color color, QWidget* parent) : QLabel(parent), m_color
   setWordWrap(true);
   setTextFormat(Qt::PlainText);
   setTextInteractionFlags(Qt::TextSelectableByMouse);
-  tint();
 }
 
 void TintedLabel::setTextOrHide(const QString& text) {
@@ -17,19 +15,15 @@ void TintedLabel::setTextOrHide(const QString& text) {
   setVisible(!text.isEmpty());
 }
 
-void TintedLabel::changeEvent(QEvent* event) {
-  QLabel::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && !m_tinting) {
-    tint();
+void TintedLabel::paintEvent(QPaintEvent* event) {
+  // Looked at here: whatever way the theme changed, it is painted anew.
+  const QPalette theme = QApplication::palette();
+  if (const QColor wanted = m_color(theme); palette().color(QPalette::WindowText) != wanted) {
+    QPalette own = palette();
+    own.setColor(QPalette::WindowText, wanted);
+    setPalette(own);
   }
-}
-
-void TintedLabel::tint() {
-  m_tinting = true;
-  QPalette own = QApplication::palette(this);
-  own.setColor(QPalette::WindowText, m_color(own));
-  setPalette(own);
-  m_tinting = false;
+  QLabel::paintEvent(event);
 }
 
 } // namespace straightedge::gui

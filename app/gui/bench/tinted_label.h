@@ -13,13 +13,10 @@ public:
   void setTextOrHide(const QString& text); ///< takes no room where there is none
 
 protected:
-  void changeEvent(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
 private:
-  void tint();
-
   Color m_color;
-  bool m_tinting = false;
 };
 
 } // namespace straightedge::gui
