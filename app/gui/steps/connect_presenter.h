@@ -3,6 +3,7 @@
 
 #include "app/gui/document/bench_link.h"
 #include "app/gui/plots/plot_spec.h"
+#include "app/gui/steps/connect_words.h"
 
 #include <QList>
 #include <QObject>
@@ -18,9 +19,6 @@ class AngleDocument;
 class ConnectPresenter : public QObject {
   Q_OBJECT
 public:
-  struct Instrument {
-    QString role, model, serial;
-  };
   struct Reading {
     double encoderDeg = 0.0; ///< unwrapped
     double sensorDeg = 0.0;  ///< [0, 360)
@@ -35,7 +33,7 @@ public:
   void disconnectBench();
   QString statusText() const; ///< one line: what is connected, or what to do
   QString problem() const;    ///< the last thing that went wrong, with its remedy; empty after success
-  QList<Instrument> instruments() const;
+  QList<ConnectedInstrument> instruments() const;
 
   // Live reading
   void setShown(bool shown); ///< reads only while somebody looks
@@ -60,6 +58,7 @@ signals:
   void traceabilityChanged();
 
 private:
+  std::optional<BenchIdentities> identities() const;
   void onReading(double encoderDeg, double sensorDeg);
   void setProblem(const QString& problem);
 

@@ -1,17 +1,16 @@
 #include "app/gui/steps/connect_step.h"
 
+#include "app/gui/steps/connect_column.h"
 #include "app/gui/steps/live_dial.h"
 #include "app/gui/steps/notice_list.h"
 #include "app/gui/steps/simulated_bench_form.h"
 #include "app/gui/steps/value_label.h"
 
 #include <QDoubleSpinBox>
-#include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 namespace straightedge::gui {
@@ -24,7 +23,7 @@ ConnectStep::ConnectStep(StepContext context, QWidget* parent)
   auto* columns = new QHBoxLayout;
   columns->setSpacing(16);
   page->addLayout(columns, 1);
-  columns->addWidget(makeBenchColumn());
+  columns->addWidget(makeColumn());
   columns->addWidget(makeLiveBox(), 1);
 
   m_form->setSettings(context.bench.simulatedSettings());
@@ -45,92 +44,19 @@ void ConnectStep::entered() { m_presenter.setShown(true); }
 
 void ConnectStep::left() { m_presenter.setShown(false); }
 
-QWidget* ConnectStep::makeBenchColumn() {
-  auto* content = new QWidget;
-  auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(12);
-
-  auto* box = new QGroupBox(tr("Simulated bench"), content);
-  auto* layout = new QVBoxLayout(box);
-  auto* about = new QLabel(tr("A magnet, a sensor and an encoder in software, with a truth that is known. For learning "
-                              "the method and for trying out plans."),
-                           box);
-  about->setWordWrap(true);
-  layout->addWidget(about);
-  m_form = new SimulatedBenchForm(box);
-  layout->addWidget(m_form);
-  m_status = new QLabel(box);
-  m_status->setObjectName(QStringLiteral("benchStatus"));
-  m_status->setWordWrap(true);
-  layout->addWidget(m_status);
-  auto* buttons = new QHBoxLayout;
-  m_connect = new QPushButton(box);
-  m_connect->setObjectName(QStringLiteral("connectBench"));
-  m_next = new QPushButton(tr("Go on to Capture"), box);
-  m_next->setObjectName(QStringLiteral("goToCapture"));
-  buttons->addWidget(m_connect);
-  buttons->addStretch(1);
-  buttons->addWidget(m_next);
-  layout->addLayout(buttons);
-  column->addWidget(box);
-  column->addWidget(makeInstrumentsBox());
-  column->addWidget(makeTraceabilityBox());
-  column->addStretch(1);
-
-  connect(m_connect, &QPushButton::clicked, this, [this] {
-    if (m_presenter.connected()) {
-      m_presenter.disconnectBench();
-    } else {
-      m_presenter.connectSimulated(m_form->settings());
-    }
-  });
-  connect(m_next, &QPushButton::clicked, this, [this] { emit goToStep(tr("Capture")); });
-
-  auto* scroll = new QScrollArea(this); // a small window must not cut the form
-  scroll->setWidget(content);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFixedWidth(content->fontMetrics().averageCharWidth() * 58);
-  return scroll;
-}
-
-QWidget* ConnectStep::makeInstrumentsBox() {
-  auto* box = new QGroupBox(tr("Instruments"), this);
-  auto* layout = new QVBoxLayout(box);
-  m_instruments = new QLabel(box);
-  m_instruments->setObjectName(QStringLiteral("instruments"));
-  m_instruments->setTextFormat(Qt::RichText);
-  m_instruments->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  m_instruments->setWordWrap(true);
-  layout->addWidget(m_instruments);
-  return box;
-}
-
-QWidget* ConnectStep::makeTraceabilityBox() {
-  auto* box = new QGroupBox(tr("Traceability"), this);
-  auto* layout = new QVBoxLayout(box);
-  m_traceability = new QLabel(box);
-  m_traceability->setObjectName(QStringLiteral("traceabilitySummary"));
-  m_traceability->setTextFormat(Qt::PlainText);
-  m_traceability->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  m_traceability->setWordWrap(true);
-  layout->addWidget(m_traceability);
-  auto* buttons = new QHBoxLayout;
-  auto* details = new QPushButton(tr("Edit details…"), box);
-  details->setObjectName(QStringLiteral("editDetails"));
-  details->setToolTip(tr("Device, reference instrument, operator and ambient temperature; they go into every result"));
-  m_takeOver = new QPushButton(tr("Use connected instruments"), box);
-  m_takeOver->setObjectName(QStringLiteral("takeOverInstruments"));
-  m_takeOver->setToolTip(tr("Writes model and serial of the connected sensor and encoder into the details"));
-  buttons->addWidget(details);
-  buttons->addWidget(m_takeOver);
-  buttons->addStretch(1);
-  layout->addLayout(buttons);
-  connect(details, &QPushButton::clicked, this, &StepPage::detailsRequested);
-  connect(m_takeOver, &QPushButton::clicked, &m_presenter, &ConnectPresenter::takeOverInstruments);
-  return box;
+QWidget* ConnectStep::makeColumn() {
+  m_column = new ConnectColumn(this);
+  m_form = new SimulatedBenchForm(m_column);
+  m_column->addBench(tr("Simulated bench"),
+                     tr("A magnet, a sensor and an encoder in software, with a truth that is known. For learning the "
+                        "method and for trying out plans."),
+                     m_form);
+  connect(m_column, &ConnectColumn::connectWanted, this, [this] { m_presenter.connectSimulated(m_form->settings()); });
+  connect(m_column, &ConnectColumn::disconnectWanted, &m_presenter, &ConnectPresenter::disconnectBench);
+  connect(m_column, &ConnectColumn::nextWanted, this, [this] { emit goToStep(tr("Capture")); });
+  connect(m_column, &ConnectColumn::detailsWanted, this, &StepPage::detailsRequested);
+  connect(m_column, &ConnectColumn::takeOverWanted, &m_presenter, &ConnectPresenter::takeOverInstruments);
+  return m_column;
 }
 
 QWidget* ConnectStep::makeLiveBox() {
@@ -192,23 +118,10 @@ QWidget* ConnectStep::makeLiveBox() {
 }
 
 void ConnectStep::showConnection() {
-  const bool connected = m_presenter.connected();
-  m_form->setEnabled(!connected);
-  m_connect->setText(connected ? tr("&Disconnect") : tr("&Connect"));
-  m_connect->setEnabled(m_presenter.mayChange());
-  m_connect->setDefault(!connected);
-  m_next->setVisible(connected);
-  m_status->setText(m_presenter.statusText());
-  QStringList rows;
-  for (const ConnectPresenter::Instrument& instrument : m_presenter.instruments()) {
-    rows << QStringLiteral("<b>%1</b><br>%2, %3")
-                .arg(instrument.role.toHtmlEscaped(), instrument.model.toHtmlEscaped(),
-                     instrument.serial.isEmpty() ? tr("no serial number")
-                                                 : tr("serial %1").arg(instrument.serial.toHtmlEscaped()));
-  }
-  m_instruments->setText(rows.isEmpty() ? tr("None. They are listed here with model and serial number once the bench "
-                                             "is connected.")
-                                        : rows.join(QStringLiteral("<br>")));
+  m_column->showConnection({.connected = m_presenter.connected(),
+                            .mayChange = m_presenter.mayChange(),
+                            .status = m_presenter.statusText(),
+                            .instruments = m_presenter.instruments()});
   showTraceability();
   showReading();
 }
@@ -235,8 +148,7 @@ void ConnectStep::showProblem() {
 }
 
 void ConnectStep::showTraceability() {
-  m_traceability->setText(m_presenter.traceabilitySummary());
-  m_takeOver->setVisible(m_presenter.canTakeOverInstruments());
+  m_column->showTraceability(m_presenter.traceabilitySummary(), m_presenter.canTakeOverInstruments());
 }
 
 StepPage* makeConnectStep(StepContext context, QWidget* parent) { return new ConnectStep(context, parent); }

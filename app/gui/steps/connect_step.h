@@ -4,12 +4,12 @@
 #include "app/gui/steps/connect_presenter.h"
 #include "app/gui/steps/step_page.h"
 
-class QLabel;
-class QPushButton;
 class QDoubleSpinBox;
+class QPushButton;
 
 namespace straightedge::gui {
 
+class ConnectColumn;
 class LiveDial;
 class NoticeList;
 class SimulatedBenchForm;
@@ -26,10 +26,8 @@ public:
   void left() override;
 
 private:
-  QWidget* makeBenchColumn();
+  QWidget* makeColumn();
   QWidget* makeLiveBox();
-  QWidget* makeInstrumentsBox();
-  QWidget* makeTraceabilityBox();
   void showConnection();
   void showReading();
   void showProblem();
@@ -37,10 +35,8 @@ private:
 
   ConnectPresenter m_presenter;
   NoticeList* m_notices = nullptr;
+  ConnectColumn* m_column = nullptr;
   SimulatedBenchForm* m_form = nullptr;
-  QPushButton* m_connect = nullptr;
-  QPushButton* m_next = nullptr;
-  QLabel* m_status = nullptr;
   LiveDial* m_dial = nullptr;
   ValueLabel* m_encoder = nullptr;
   ValueLabel* m_sensor = nullptr;
@@ -49,9 +45,6 @@ private:
   QDoubleSpinBox* m_shaft = nullptr;
   QPushButton* m_move = nullptr;
   PlotView* m_trace = nullptr;
-  QLabel* m_instruments = nullptr;
-  QLabel* m_traceability = nullptr;
-  QPushButton* m_takeOver = nullptr;
 };
 
 } // namespace straightedge::gui
