@@ -107,8 +107,20 @@ Result<void> writeRecord(session::Session& session, const devices::FieldPlan& pl
   return session.setDocument("capture", record.dump());
 }
 
+/// The plan that the campaign was begun with. The document "plan" is where the window keeps the one for the next time.
+Result<std::string> planOfCampaign(const session::Session& session) {
+  const auto record = session.document("capture");
+  if (record && !record->empty()) {
+    const auto json = nlohmann::json::parse(*record, nullptr, false);
+    if (json.is_object() && json.contains("plan") && json["plan"].is_string()) {
+      return json["plan"].get<std::string>();
+    }
+  }
+  return session.document("plan");
+}
+
 Result<void> readStored(PreparedFieldRun& run, const FieldCaptureRequest& request) {
-  auto plan = run.session->document("plan");
+  auto plan = planOfCampaign(*run.session);
   auto settings = run.session->document("simulated-bench");
   auto already = run.session->fieldSamples(role);
   if (!plan || !settings || !already) {
@@ -147,6 +159,7 @@ Result<PreparedFieldRun> prepareResumed(const FieldCaptureRequest& request) {
     return std::unexpected(std::move(settings.error()));
   }
   run.settings = *std::move(settings);
+  run.settings.byHand = false; // the window can lay the simulated probe by hand; nobody does so here
   // The noise goes on instead of repeating itself from the first row.
   run.settings.seed += 0x9E3779B97F4A7C15ULL * run.already.size();
   return run;

@@ -55,6 +55,8 @@ int main(int argc, char** argv) {
   window.show();
   if (options.simulated) {
     QTimer::singleShot(0, &window, &MainWindow::startSimulatedBench);
+  } else if (options.simulatedField) {
+    QTimer::singleShot(0, &window, &MainWindow::startSimulatedFieldBench);
   } else if (!options.files.isEmpty()) {
     QTimer::singleShot(0, &window, [&window, file = options.files.first()] { window.openFile(file); });
   }

@@ -1,5 +1,7 @@
 #include "devices/bench/opened_bench.h"
 
+#include <algorithm>
+
 namespace straightedge::devices {
 
 Result<std::unique_ptr<OpenedBench>> OpenedBench::open(const SavedBench& bench, const ProfileSet& profiles,
@@ -86,8 +88,13 @@ Result<RoleReading> shownReading(const Result<FieldReading>& reading) {
   if (!reading) {
     return std::unexpected(reading.error());
   }
-  return reading->overRange ? RoleReading{.values = {}, .note = "beyond its range"}
-                            : RoleReading{.values = {reading->rawT.begin(), reading->rawT.end()}, .note = {}};
+  RoleReading read{.values = {}, .note = {}, .electronicsC = reading->electronicsC};
+  if (reading->overRange) {
+    read.note = "beyond its range";
+  } else {
+    read.values.assign(reading->rawT.begin(), reading->rawT.end());
+  }
+  return read;
 }
 
 Result<RoleReading> shownReading(const Result<FieldReferenceReading>& reading) {
@@ -132,6 +139,10 @@ Result<RoleReading> OpenedBench::readRole(InstrumentRole role) {
     break;
   }
   return unfilled(role);
+}
+
+bool OpenedBench::allThere() const {
+  return std::ranges::all_of(m_seats, [](const auto& seat) { return seat->isThere(); });
 }
 
 std::optional<TransportFault> OpenedBench::lastFault() const {

@@ -16,6 +16,7 @@ namespace straightedge::devices {
 struct RoleReading {
   std::vector<double> values; ///< degrees, tesla (three of them for a field probe), ohms, °C; empty where there is none
   std::string note;           ///< why there is none although the instrument answered: "not locked"
+  std::optional<double> electronicsC = {}; ///< of a field probe that measures its own temperature
 };
 
 /// Thread: made by one thread, which asks for the bench; then readings, say() and restore() may come from any, and take
@@ -37,6 +38,8 @@ public:
   Result<RoleReading> readRole(InstrumentRole role);
   /// For a console: BenchSeat::say() of the instrument with this place in saved().
   Result<std::string> say(std::size_t index, std::string_view bytes) { return m_seats.at(index)->say(bytes); }
+
+  bool allThere() const; ///< none has left, as far as its last transfer told
 
   std::optional<TransportFault> lastFault() const override;
   Result<bool> restore() override;

@@ -163,6 +163,9 @@ CaptureLoop::Step<void> CaptureLoop::wait(double seconds) {
     if (auto free = checkInterruption(); !free) {
       return free;
     }
+    if (abandonsPresent()) {
+      return std::unexpected(Interruption{.fault = std::nullopt, .ofStorage = false, .lookAgain = true});
+    }
     const double now = std::min(left, lookAroundS);
     m_clock.sleepS(now);
     left -= now;

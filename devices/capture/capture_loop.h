@@ -41,7 +41,9 @@ protected:
 
   virtual void takeRequests() = 0;   ///< redo and the like
   virtual bool requestsWait() const; ///< under the control's mutex
-  virtual bool isDone() const = 0;   ///< nothing left to measure
+  /// What is being measured now is not wanted any more: leave it, also in the middle of a wait.
+  virtual bool abandonsPresent() const { return false; }
+  virtual bool isDone() const = 0; ///< nothing left to measure
   virtual Step<void> measureNext() = 0;
   virtual void forgetPositions() = 0; ///< whoever pauses may turn the shaft, move the probe, …
   virtual Result<void> commitSink() = 0;

@@ -78,6 +78,8 @@ Result<void> FieldCapture::start(const FieldPlan& plan, const std::vector<sessio
     m_impl->shared.progress.pointsDone = course->done();
     m_impl->shared.progress.remainingS = course->remainingS();
     m_impl->shared.stage = -1;
+    m_impl->shared.action = FieldAction::None;
+    m_impl->shared.rowsTaken = 0;
     m_impl->shared.stages.clear();
   }
   m_impl->worker.emplace(m_impl->bench, m_impl->sink, *std::move(course), m_impl->shared);
@@ -118,6 +120,9 @@ FieldCaptureProgress FieldCapture::progress() const {
   now.samplesLost = m_impl->shared.queue.lost();
   now.stage = m_impl->shared.stage;
   now.waitingFor = m_impl->shared.waitingFor;
+  now.action = m_impl->shared.action;
+  now.target = m_impl->shared.target;
+  now.rowsTaken = m_impl->shared.rowsTaken;
   now.stages = m_impl->shared.stages;
   return now;
 }

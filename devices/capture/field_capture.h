@@ -13,6 +13,19 @@
 
 namespace straightedge::devices {
 
+/// What the capture does right now, within its stage.
+enum class FieldAction : std::uint8_t {
+  None,
+  Placing,       ///< the carrier moves the probe
+  SettingField,  ///< target: tesla
+  SettlingProbe, ///< on its way to a temperature; target: °C
+  SettlingElectronics,
+  WaitingForLock, ///< rows come, the reference is not locked; target: tesla
+  TakingRows,     ///< of a plateau; target: tesla
+  SweepingProbe,  ///< target: °C that the chamber is sent to now
+  SweepingElectronics
+};
+
 struct FieldStageProgress {
   int pointsDone = 0;
   int pointsPlanned = 0;
@@ -26,6 +39,9 @@ struct FieldStageProgress {
 struct FieldCaptureProgress : CaptureProgress {
   int stage = -1;         ///< measured now; -1: none yet
   std::string waitingFor; ///< not empty: a person is to do this and confirm()
+  FieldAction action = FieldAction::None;
+  double target = 0.0; ///< of the action
+  int rowsTaken = 0;   ///< of the present plateau or sweep; those that count
   std::vector<FieldStageProgress> stages;
 };
 
@@ -45,9 +61,10 @@ public:
   void stop(); ///< ends after the current row; committed rows stay
   /// What FieldCaptureProgress::waitingFor asks for is done. Ignored where nothing is asked for.
   void confirm();
-  /// Measures this stage again, as a further attempt: next while running, by itself after the end.
+  /// Measures this stage again, as a further attempt: next while running (at once where it is being measured), by
+  /// itself after the end.
   void redo(int stage);
-  /// Leaves a stage out, at once also where it waits for a person, or takes it back in. Its rows stay.
+  /// Leaves a stage out, at once where it is being measured or waits for a person, or takes it back in. Its rows stay.
   void skip(int stage, bool skipped = true);
   /// Blocks until the campaign has ended or a fault paused it; for the command line and tests.
   void waitUntilDone();

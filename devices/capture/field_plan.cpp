@@ -21,8 +21,6 @@ constexpr double longestS = 86400.0;
 constexpr double largestFieldT = 30.0;
 constexpr double coldestC = -50.0;
 constexpr double hottestC = 150.0;
-/// Smallest field that an NMR's probes lock on: the paper's plateaus leave out what is below.
-constexpr double smallestLockT = 0.043;
 
 Result<void> inRange(const std::string& name, double value, double low, double high, const char* unit) {
   if (value >= low && value <= high) { // false for NaN

@@ -12,6 +12,9 @@
 
 namespace straightedge::devices {
 
+/// Smallest field that an NMR's probes lock on: the paper's plateaus leave out what is below.
+inline constexpr double smallestLockT = 0.043;
+
 /// One stage: the probe lies one way, and one block of the correction gets its data. A stage is measured again or left
 /// out as a whole. It is made of points: plateaus of constant field and temperature, or sweeps of temperature.
 struct FieldStage {

@@ -43,6 +43,23 @@ void FieldWorker::takeRequests() {
 
 bool FieldWorker::requestsWait() const { return CaptureLoop::requestsWait() || !m_shared.skipRequests.empty(); }
 
+bool FieldWorker::abandonsPresent() const {
+  const std::scoped_lock lock(m_shared.mutex);
+  const auto holds = [](const auto& list, const auto& item) { return std::ranges::find(list, item) != list.end(); };
+  return holds(m_shared.redoRequests, m_present) || holds(m_shared.skipRequests, std::pair(m_present, true));
+}
+
+void FieldWorker::tell(FieldAction action, double target) {
+  const std::scoped_lock lock(m_shared.mutex);
+  m_shared.action = action;
+  m_shared.target = target;
+}
+
+void FieldWorker::tellRows(FieldTask task) {
+  const std::scoped_lock lock(m_shared.mutex);
+  m_shared.rowsTaken = m_course.rowsTaken(task);
+}
+
 void FieldWorker::forgetPositions() {
   m_placement.reset();
   m_fieldT.reset();
@@ -52,15 +69,21 @@ void FieldWorker::forgetPositions() {
 
 CaptureLoop::Step<void> FieldWorker::measureNext() {
   const FieldTask task = *m_course.next();
+  m_present = task.stage;
   {
     const std::scoped_lock lock(m_shared.mutex);
     m_shared.stage = task.stage;
+    m_shared.rowsTaken = m_course.rowsTaken(task);
   }
   publishProgress();
   if (auto prepared = prepare(task); !prepared) {
     return prepared;
   }
   auto measured = isSweep(m_course.stage(task.stage)) ? measureSweep(task) : measurePlateau(task);
+  if (measured) {
+    const std::scoped_lock lock(m_shared.mutex);
+    m_shared.rowsTaken = 0; // counted among the points from here on
+  }
   publishProgress();
   return measured;
 }
@@ -81,6 +104,7 @@ CaptureLoop::Step<void> FieldWorker::place(const FieldStage& stage) {
   if (m_placement == placement) {
     return {};
   }
+  tell(FieldAction::Placing);
   auto placed = m_bench.carrier != nullptr ? fromInstrument(m_bench.carrier->place(placement), "probe carrier")
                                            : askFor(placementInstruction(placement));
   if (placed) {
@@ -98,6 +122,7 @@ CaptureLoop::Step<void> FieldWorker::setField(FieldTask task) {
   if (m_fieldT == fieldT) {
     return {};
   }
+  tell(FieldAction::SettingField, fieldT);
   auto set = m_bench.magnet != nullptr ? fromInstrument(m_bench.magnet->setFieldT(fieldT), "magnet")
                                        : askFor("set the field to " + formatForPeople(fieldT) + " T");
   if (set) {
@@ -119,24 +144,25 @@ CaptureLoop::Step<void> FieldWorker::setTemperatures(FieldTask task) {
     m_electronicsC.reset();
   }
   const double probeC = isProbeSweep(stage) ? startsC : m_course.point(task).probeC.value_or(roomC);
-  if (auto set = setTemperature(m_bench.probeChamber, m_probeC, probeC, "the probe"); !set) {
+  if (auto set = setTemperature(m_bench.probeChamber, m_probeC, probeC, true); !set) {
     return set;
   }
   return setTemperature(m_bench.electronicsChamber, m_electronicsC,
-                        isElectronicsSweep(stage) ? startsC : m_course.point(task).electronicsC.value_or(roomC),
-                        "the electronics");
+                        isElectronicsSweep(stage) ? startsC : m_course.point(task).electronicsC.value_or(roomC), false);
 }
 
 CaptureLoop::Step<void> FieldWorker::setTemperature(TemperatureChamber* chamber, std::optional<double>& at,
-                                                    double targetC, const char* what) {
+                                                    double targetC, bool ofProbe) {
   if (at == targetC) {
     return {};
   }
+  tell(ofProbe ? FieldAction::SettlingProbe : FieldAction::SettlingElectronics, targetC);
   Step<void> set;
   if (chamber != nullptr) {
     set = fromInstrument(chamber->setC(targetC), "chamber");
   } else if (targetC != m_course.plan().referenceTemperatureC) {
-    set = askFor("bring " + std::string(what) + " to " + formatForPeople(targetC) + " °C");
+    set = askFor("bring " + std::string(ofProbe ? "the probe" : "the electronics") + " to " + formatForPeople(targetC) +
+                 " °C");
   }
   if (set && (chamber != nullptr || targetC != m_course.plan().referenceTemperatureC)) {
     set = wait(m_course.plan().temperatureSettleS);
@@ -170,7 +196,9 @@ CaptureLoop::Step<void> FieldWorker::askFor(const std::string& instruction) {
 
 CaptureLoop::Step<void> FieldWorker::measurePlateau(FieldTask task) {
   const FieldStage& stage = m_course.stage(task.stage);
+  const double fieldT = m_course.point(task).fieldT;
   double unlockedS = 0.0;
+  tell(FieldAction::WaitingForLock, fieldT);
   while (m_course.rowsTaken(task) < stage.rows) {
     const auto locked = takeRow(task);
     if (!locked) {
@@ -178,10 +206,12 @@ CaptureLoop::Step<void> FieldWorker::measurePlateau(FieldTask task) {
     }
     if (*locked) {
       m_course.rowTaken(task);
+      tellRows(task);
       unlockedS = 0.0;
     } else {
       unlockedS += stage.rowS;
     }
+    tell(*locked ? FieldAction::TakingRows : FieldAction::WaitingForLock, fieldT);
     if (unlockedS >= m_course.plan().lockTimeoutS) {
       m_course.giveUp(task);
       ++m_givenUp[static_cast<std::size_t>(task.stage)];
@@ -219,6 +249,7 @@ CaptureLoop::Step<void> FieldWorker::measureSweep(FieldTask task) {
   while (m_course.rowsTaken(task) < stage.rows) {
     if (chamber != nullptr) {
       const double targetC = sweepC(stage, m_course.rowsTaken(task));
+      tell(ofProbe ? FieldAction::SweepingProbe : FieldAction::SweepingElectronics, targetC);
       if (auto sent = fromInstrument(chamber->setC(targetC), "chamber"); !sent) {
         return sent;
       }
@@ -230,6 +261,7 @@ CaptureLoop::Step<void> FieldWorker::measureSweep(FieldTask task) {
       return std::unexpected(taken.error());
     }
     m_course.rowTaken(task);
+    tellRows(task);
   }
   return {};
 }

@@ -18,6 +18,9 @@ struct FieldCaptureShared : CaptureControl {
   int stage = -1;
   std::string waitingFor;
   bool confirmed = false;
+  FieldAction action = FieldAction::None;
+  double target = 0.0;
+  int rowsTaken = 0;
   std::vector<FieldStageProgress> stages;
   std::vector<std::pair<int, bool>> skipRequests;
   LiveQueueOf<session::FieldSample> queue;
@@ -30,6 +33,7 @@ public:
 private:
   void takeRequests() override;
   bool requestsWait() const override;
+  bool abandonsPresent() const override;
   bool isDone() const override { return !m_course.next(); }
   Step<void> measureNext() override;
   void forgetPositions() override;
@@ -37,10 +41,12 @@ private:
   double timeOffsetS() const override { return m_course.timeOffsetS; }
   void fillProgress(CaptureProgress& progress) override;
 
+  void tell(FieldAction action, double target = 0.0);
+  void tellRows(FieldTask task);
   Step<void> prepare(FieldTask task);
   Step<void> place(const FieldStage& stage);
   Step<void> setTemperatures(FieldTask task);
-  Step<void> setTemperature(TemperatureChamber* chamber, std::optional<double>& at, double targetC, const char* what);
+  Step<void> setTemperature(TemperatureChamber* chamber, std::optional<double>& at, double targetC, bool ofProbe);
   Step<void> setField(FieldTask task);
   Step<void> askFor(const std::string& instruction); ///< until a person confirms
   Step<void> measurePlateau(FieldTask task);
@@ -54,6 +60,7 @@ private:
   FieldCourse m_course;
   FieldCaptureShared& m_shared;
   std::vector<int> m_givenUp; ///< points of each stage without lock
+  int m_present = -1;         ///< the stage that is measured
   std::int64_t m_samples = 0;
 
   // Where things stand; unknown at first and after a pause

@@ -211,6 +211,71 @@ TEST_F(FieldCaptureTest, AStageThatWaitsMayBeSkippedAtOnce) {
   EXPECT_TRUE(m_sink.committed().empty());
 }
 
+TEST_F(FieldCaptureTest, AStageBeingMeasuredIsLeftAtOnce) {
+  SimulatedFieldBench bench(tests::virtualFieldBench());
+  FieldCapture capture(bench.bench(), m_sink);
+  FieldPlan plan = onlyStage(CampaignStep::Offset);
+  plan.stages.front().rows = 1'000'000;
+  ASSERT_TRUE(capture.start(plan));
+  ASSERT_TRUE(eventually([&] { return capture.progress().rowsTaken > 0; }));
+  capture.redo(0);
+  ASSERT_TRUE(eventually([&] { return capture.progress().stages.at(0).attempt == 1; }));
+  ASSERT_TRUE(eventually([&] { return capture.progress().rowsTaken > 0; }));
+  capture.skip(0);
+  capture.waitUntilDone();
+  EXPECT_EQ(capture.progress().state, CaptureState::Finished);
+  const auto samples = m_sink.committed();
+  ASSERT_FALSE(samples.empty());
+  EXPECT_LT(samples.size(), 1'000'000U);
+  EXPECT_EQ(samples.back().attempt, 1);
+}
+
+TEST_F(FieldCaptureTest, TellsWhatItDoes) {
+  struct FailingProbe : FieldProbe {
+    FailingProbe(FieldProbe& behind, int readings) : probe(behind), left(readings) {}
+    InstrumentIdentity identity() const override { return probe.identity(); }
+    Result<FieldReading> readT() override {
+      return left-- > 0 ? probe.readT() : fail(ErrorKind::Instrument, "off", "switch it on", "teslameter");
+    }
+    FieldProbe& probe;
+    int left;
+  };
+  SimulatedFieldBench bench(tests::virtualFieldBench());
+  FailingProbe probe(*bench.bench().probe, 5);
+  FieldBench failing = bench.bench();
+  failing.probe = &probe;
+  const FieldPlan sweep = onlyStage(CampaignStep::Offset);
+  {
+    FieldCapture capture(failing, m_sink);
+    ASSERT_TRUE(capture.start(sweep));
+    capture.waitUntilDone(); // the fault pauses it
+    EXPECT_EQ(capture.progress().action, FieldAction::SweepingProbe);
+    EXPECT_EQ(capture.progress().rowsTaken, 5);
+    EXPECT_EQ(capture.progress().target, sweepC(sweep.stages.front(), 5));
+  }
+  probe.left = 0;
+  const FieldPlan plateaus = onlyStage(CampaignStep::Nonlinearity);
+  {
+    FieldCapture capture(failing, m_sink);
+    ASSERT_TRUE(capture.start(plateaus));
+    capture.waitUntilDone();
+    EXPECT_EQ(capture.progress().action, FieldAction::WaitingForLock);
+    EXPECT_EQ(capture.progress().target, -2.0);
+    EXPECT_EQ(capture.progress().rowsTaken, 0);
+    probe.left = 1000000;
+    capture.resume();
+    capture.waitUntilDone();
+    EXPECT_EQ(capture.progress().state, CaptureState::Finished);
+    EXPECT_EQ(capture.progress().action, FieldAction::TakingRows);
+  }
+  FieldBench byHand = failing;
+  byHand.carrier = nullptr;
+  FieldCapture capture(byHand, m_sink);
+  ASSERT_TRUE(capture.start(plateaus));
+  ASSERT_TRUE(eventually([&] { return !capture.progress().waitingFor.empty(); }));
+  EXPECT_EQ(capture.progress().action, FieldAction::Placing);
+}
+
 TEST_F(FieldCaptureTest, AStageMeasuredAgainReplacesWhatItGaveBefore) {
   SimulatedFieldBench bench(tests::virtualFieldBench());
   FieldCapture capture(bench.bench(), m_sink);

@@ -15,6 +15,7 @@
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSignalBlocker>
+#include <QSplitter>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -247,6 +248,16 @@ bool BenchConsole::eventFilter(QObject* watched, QEvent* event) {
     }
   }
   return QWidget::eventFilter(watched, event);
+}
+
+QWidget* withConsole(QWidget* content, BenchConsole& console, QWidget* parent) {
+  auto* splitter = new QSplitter(Qt::Vertical, parent);
+  splitter->addWidget(content);
+  splitter->addWidget(&console);
+  splitter->setChildrenCollapsible(false);
+  splitter->setStretchFactor(0, 3);
+  splitter->setStretchFactor(1, 2);
+  return splitter;
 }
 
 void BenchConsole::copy() { QGuiApplication::clipboard()->setText(m_model.text()); }

@@ -60,4 +60,7 @@ private:
   qsizetype m_recalled = 0;
 };
 
+/// A page's content with the console below it, which takes room only while it is shown.
+QWidget* withConsole(QWidget* content, BenchConsole& console, QWidget* parent);
+
 } // namespace straightedge::gui

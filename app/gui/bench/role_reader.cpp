@@ -7,14 +7,17 @@ namespace straightedge::gui {
 
 namespace {
 
+// As the live displays count: 20 angles, 10 fields a second.
 constexpr std::chrono::milliseconds rolePeriod{50};
+constexpr std::chrono::milliseconds fieldRolePeriod{100};
 constexpr std::chrono::milliseconds roleFailingPeriod{500};
 
 } // namespace
 
 RoleReader::RoleReader(std::shared_ptr<devices::OpenedBench> bench, Listener listener)
-    : m_bench(std::move(bench)), m_listener(std::move(listener)),
-      m_thread([this](const std::stop_token& stop) { run(stop); }) {}
+    : m_bench(std::move(bench)),
+      m_period(m_bench->saved().filling(devices::InstrumentRole::FieldProbe) != nullptr ? fieldRolePeriod : rolePeriod),
+      m_listener(std::move(listener)), m_thread([this](const std::stop_token& stop) { run(stop); }) {}
 
 RoleReader::~RoleReader() = default;
 
@@ -75,14 +78,13 @@ void RoleReader::run(const std::stop_token& stop) {
       tell([&](const Listener& listener) { listener.read(std::move(states)); });
     }
     lock.lock();
-    m_wake.wait_for(lock, stop, failing ? roleFailingPeriod : rolePeriod,
+    m_wake.wait_for(lock, stop, failing ? roleFailingPeriod : m_period,
                     [this] { return !m_reading || !m_commands.empty(); });
   }
 }
 
 std::vector<RoleState> RoleReader::readAll(const std::stop_token& stop) {
   std::vector<RoleState> states;
-  bool gone = false;
   for (const devices::BenchInstrument& instrument : m_bench->saved().instruments) {
     for (const devices::InstrumentRole role : instrument.roles) {
       if (stop.stop_requested() || !stillWanted()) {
@@ -92,12 +94,11 @@ std::vector<RoleState> RoleReader::readAll(const std::stop_token& stop) {
       if (reading) {
         states.push_back({role, *std::move(reading), std::nullopt});
       } else {
-        gone = gone || m_bench->lastFault() == devices::TransportFault::Gone;
         states.push_back({role, std::nullopt, std::move(reading.error())});
       }
     }
   }
-  if (gone) {
+  if (!m_bench->allThere()) {
     if (const auto back = m_bench->restore(); !back) { // it is plugged in again and cannot be used
       for (RoleState& state : states) {
         if (state.fault) {

@@ -4,6 +4,7 @@
 
 #include "devices/bench/opened_bench.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -53,6 +54,7 @@ private:
   void tell(const Call& call);
 
   const std::shared_ptr<devices::OpenedBench> m_bench;
+  const std::chrono::milliseconds m_period;
   std::mutex m_listening; ///< guards m_listener; held while it is called
   std::optional<Listener> m_listener;
   std::mutex m_mutex; ///< guards what follows

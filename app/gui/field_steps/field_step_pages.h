@@ -5,11 +5,13 @@
 
 namespace straightedge::gui {
 
+class FieldBenchLink;
 class FieldDocument;
 
 /// What every step may use. All outlive the pages.
 struct FieldStepContext {
   FieldDocument& document;
+  FieldBenchLink& bench;
   JobRunner& jobs;
 };
 

@@ -20,7 +20,7 @@
 namespace straightedge::gui {
 
 FieldVerifyStep::FieldVerifyStep(FieldStepContext context, QWidget* parent)
-    : StepPage(parent), m_presenter(context.document, context.jobs) {
+    : StepPage(parent), m_presenter(context.document, context.jobs), m_capture(context.document, context.bench) {
   auto* page = new QVBoxLayout(this);
   m_notices = new NoticeList(this);
   page->addWidget(m_notices);
@@ -31,6 +31,7 @@ FieldVerifyStep::FieldVerifyStep(FieldStepContext context, QWidget* parent)
   columns->addWidget(makeResult(), 1);
   connect(&m_presenter, &FieldVerifyPresenter::changed, this, &FieldVerifyStep::refresh);
   connect(&m_presenter, &FieldVerifyPresenter::changed, this, &StepPage::availabilityChanged);
+  connect(&m_capture, &FreshCapture::changed, this, &FieldVerifyStep::refresh);
 }
 
 QString FieldVerifyStep::title() const { return tr("Verify"); }
@@ -81,6 +82,13 @@ QWidget* FieldVerifyStep::makeSide() {
                            fresh);
   about->setWordWrap(true);
   freshLayout->addWidget(about);
+  m_captureFresh = new QPushButton(fresh);
+  m_captureFresh->setObjectName(QStringLiteral("captureVerification"));
+  freshLayout->addWidget(m_captureFresh);
+  m_cannotCapture = new QLabel(fresh);
+  m_cannotCapture->setObjectName(QStringLiteral("captureProblem"));
+  m_cannotCapture->setWordWrap(true);
+  freshLayout->addWidget(m_cannotCapture);
   auto* load = new QPushButton(tr("Load a C&SV file…"), fresh);
   load->setObjectName(QStringLiteral("loadVerification"));
   freshLayout->addWidget(load);
@@ -101,6 +109,12 @@ QWidget* FieldVerifyStep::makeSide() {
   connect(m_limit, &QDoubleSpinBox::valueChanged, &m_presenter, &FieldVerifyPresenter::setLimitPercent);
   connect(m_of, &QComboBox::activated, this,
           [this] { m_presenter.setPercentOf(static_cast<field::PercentOf>(m_of->currentData().toInt())); });
+  connect(m_captureFresh, &QPushButton::clicked, this, [this] {
+    m_capture.start();
+    if (m_capture.isRunning()) {
+      emit goToStep(tr("Capture")); // where it is guided
+    }
+  });
   connect(load, &QPushButton::clicked, this, &FieldVerifyStep::chooseCsv);
   connect(m_forget, &QPushButton::clicked, &m_presenter, &FieldVerifyPresenter::forgetFresh);
   connect(next, &QPushButton::clicked, this, [this] { emit goToStep(tr("Export")); });
@@ -146,9 +160,20 @@ void FieldVerifyStep::refresh() {
     m_limit->setValue(m_presenter.limitPercent());
     m_of->setCurrentIndex(m_of->findData(static_cast<int>(m_presenter.percentOf())));
   }
-  m_notices->setNotices(m_presenter.problem().isEmpty()
-                            ? QList<Notice>{}
-                            : QList<Notice>{{Notice::Level::Problem, m_presenter.problem()}});
+  QList<Notice> notices;
+  for (const QString& problem : {m_presenter.problem(), m_capture.problem()}) {
+    if (!problem.isEmpty()) {
+      notices.append({Notice::Level::Problem, problem});
+    }
+  }
+  m_notices->setNotices(notices);
+  m_captureFresh->setText(m_capture.isRunning()       ? tr("&Back to the capture")
+                          : m_capture.isInterrupted() ? tr("&Go on capturing")
+                                                      : tr("&Capture on the bench"));
+  const QString cannot = m_capture.isRunning() ? QString() : m_capture.cannot();
+  m_captureFresh->setEnabled(cannot.isEmpty());
+  m_cannotCapture->setText(cannot);
+  m_cannotCapture->setVisible(!cannot.isEmpty() && m_presenter.missing().isEmpty());
   m_campaign->setText(m_presenter.campaignText());
   m_campaign->setVisible(!m_presenter.campaignText().isEmpty());
   m_forget->setVisible(m_presenter.hasFresh());

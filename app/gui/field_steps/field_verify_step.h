@@ -3,6 +3,7 @@
 
 #include "app/gui/field_steps/field_step_pages.h"
 #include "app/gui/field_steps/field_verify_presenter.h"
+#include "app/gui/field_steps/fresh_capture.h"
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -34,12 +35,15 @@ private:
   void chooseCsv();
 
   FieldVerifyPresenter m_presenter;
+  FreshCapture m_capture;
   bool m_shown = false;
   bool m_stale = true;
   NoticeList* m_notices = nullptr;
   QDoubleSpinBox* m_limit = nullptr;
   QComboBox* m_of = nullptr;
   QLabel* m_campaign = nullptr;
+  QPushButton* m_captureFresh = nullptr;
+  QLabel* m_cannotCapture = nullptr;
   QPushButton* m_forget = nullptr;
   VerdictBanner* m_banner = nullptr;
   FieldFigureChooser* m_figures = nullptr;

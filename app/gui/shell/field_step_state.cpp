@@ -1,5 +1,6 @@
 #include "app/gui/shell/field_step_state.h"
 
+#include "app/gui/document/field_bench_link.h"
 #include "app/gui/document/field_document.h"
 #include "core/base/number_text.h"
 
@@ -13,11 +14,28 @@ QString sayFieldState(const char* text) { return QCoreApplication::translate("Fi
 
 QString statePercent(double value) { return QString::fromStdString(formatForPeople(value, 3)) + QStringLiteral(" %"); }
 
-StepState fieldCaptureState(const FieldDocument& document) {
-  if (const auto rows = document.campaign().rows.size(); rows > 0) {
+StepState fieldConnectState(const FieldBenchLink& bench) {
+  if (bench.isConnected()) {
+    return {StepProgress::Done, sayFieldState("Connected: %1.").arg(bench.benchName())};
+  }
+  return {StepProgress::Available, {}};
+}
+
+StepState fieldCaptureState(const FieldDocument& document, const FieldBenchLink& bench) {
+  if (bench.isCapturing()) {
+    return {StepProgress::Available, sayFieldState("Capturing.")};
+  }
+  const auto rows = document.campaign().rows.size();
+  if (rows > 0 && bench.interruptedPlan(session::SweepRole::Calibration)) {
+    return {StepProgress::Available, sayFieldState("%1 rows recorded; stages are still to be measured.").arg(rows)};
+  }
+  if (rows > 0) {
     return {StepProgress::Done, sayFieldState("%1 rows recorded.").arg(rows)};
   }
-  return {StepProgress::Missing, sayFieldState("Connect a bench first, or import a campaign from a CSV file.")};
+  if (!bench.isConnected()) {
+    return {StepProgress::Missing, sayFieldState("Connect a bench first, or import a campaign from a CSV file.")};
+  }
+  return {StepProgress::Available, {}};
 }
 
 StepState fieldVerifyState(const FieldDocument& document) {
@@ -45,13 +63,13 @@ StepState refusedCampaignOr(const FieldDocument& document, const StepState& othe
 
 } // namespace
 
-StepState fieldStepState(std::size_t step, const FieldDocument& document) {
+StepState fieldStepState(std::size_t step, const FieldDocument& document, const FieldBenchLink& bench) {
   const StepProgress whenFitted = document.run() ? StepProgress::Done : StepProgress::Available;
   switch (step) {
   case 0:
-    return {StepProgress::Available, {}};
+    return fieldConnectState(bench);
   case 1:
-    return fieldCaptureState(document);
+    return fieldCaptureState(document, bench);
   case 2:
   case 3:
   case 4:

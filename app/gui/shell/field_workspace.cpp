@@ -14,25 +14,39 @@ namespace straightedge::gui {
 
 namespace {
 constexpr int fieldConnect = 0;
+constexpr int fieldCapture = 1;
 constexpr int fieldReview = 2;
 constexpr int fieldVerify = 5;
 } // namespace
 
-FieldWorkspace::FieldWorkspace(JobRunner& jobs, QObject* parent) : Workspace(parent), m_jobs(jobs), m_document(jobs) {
+FieldWorkspace::FieldWorkspace(JobRunner& jobs, QObject* parent)
+    : Workspace(parent), m_jobs(jobs), m_document(jobs), m_bench(m_document) {
   for (const auto signal : {&FieldDocument::campaignChanged, &FieldDocument::runChanged,
                             &FieldDocument::verificationCampaignChanged, &FieldDocument::verificationChanged}) {
     connect(&m_document, signal, this, &Workspace::stateChanged);
   }
+  connect(&m_bench, &FieldBenchLink::failed, this, &Workspace::benchFailed);
+  connect(&m_bench, &FieldBenchLink::connectionChanged, this, &Workspace::stateChanged);
+  connect(&m_bench, &FieldBenchLink::captureEnded, this, &Workspace::stateChanged);
+  connect(&m_bench, &FieldBenchLink::progressChanged, this, [this] {
+    // Many times a second: only what changes with the beginning and the end of a capture.
+    if (std::exchange(m_wasCapturing, m_bench.isCapturing()) != m_bench.isCapturing()) {
+      emit stateChanged();
+    }
+  });
 }
 
-FieldWorkspace::~FieldWorkspace() { m_document.disconnect(this); }
+FieldWorkspace::~FieldWorkspace() {
+  m_bench.disconnect(this);
+  m_document.disconnect(this);
+}
 
 std::span<const StepEntry> FieldWorkspace::steps() const { return fieldStepCatalogue(); }
 
-StepState FieldWorkspace::state(std::size_t step) const { return fieldStepState(step, m_document); }
+StepState FieldWorkspace::state(std::size_t step) const { return fieldStepState(step, m_document, m_bench); }
 
 StepPage* FieldWorkspace::makePage(std::size_t step, QWidget* parent) {
-  return makeFieldStep(step, {m_document, m_jobs}, parent);
+  return makeFieldStep(step, {m_document, m_bench, m_jobs}, parent);
 }
 
 int FieldWorkspace::firstStepAfterOpening() const {
@@ -40,6 +54,15 @@ int FieldWorkspace::firstStepAfterOpening() const {
 }
 
 ReferenceUnit FieldWorkspace::referenceUnit() const { return {QStringLiteral("T"), tr("tesla"), 100.0}; }
+
+Result<int> FieldWorkspace::connectSimulatedBench() {
+  if (!m_bench.isSimulated()) {
+    if (auto connected = m_bench.connectSimulated(m_bench.simulatedSettings()); !connected) {
+      return std::unexpected(std::move(connected.error()));
+    }
+  }
+  return fieldCapture;
+}
 
 void FieldWorkspace::importFile(const QString& file, int currentStep, QWidget&) {
   const bool forVerification = currentStep == fieldVerify && !m_document.campaign().rows.empty();

@@ -67,6 +67,7 @@ void MainWindow::makePages() {
   connect(m_start, &StartPage::newFieldCalibration, this, &MainWindow::newFieldCalibration);
   connect(m_start, &StartPage::openFile, this, &MainWindow::openDialog);
   connect(m_start, &StartPage::simulatedBench, this, &MainWindow::startSimulatedBench);
+  connect(m_start, &StartPage::simulatedFieldBench, this, &MainWindow::startSimulatedFieldBench);
   connect(m_start, &StartPage::openExample, this, &MainWindow::openExample);
   connect(m_start, &StartPage::openRecent, this, &MainWindow::openFile);
   connect(m_start, &StartPage::recover, this, &MainWindow::openFile);

@@ -51,7 +51,8 @@ public:
 public slots:
   void newCalibration(); ///< of an angle sensor
   void newFieldCalibration();
-  void startSimulatedBench(); ///< a new calibration with the simulated bench connected, on Capture
+  void startSimulatedFieldBench(); ///< likewise, of a field calibration
+  void startSimulatedBench();      ///< a new calibration with the simulated bench connected, on Capture
   void openDialog();
   bool
   openFile(const QString& file); ///< a session, or a sweep or campaign to import; false where it was refused at once
@@ -94,6 +95,8 @@ private:
   bool leaveCalibration(); ///< asks what has to be asked and closes; false: stay
   bool
   begin(Workspace& workspace); ///< a new calibration of this kind; false where the open one stays, or none could be
+  template <typename OwnWorkspace>
+  void startOnSimulatedBench(OwnWorkspace& workspace);
   bool saveTo(const QString& file);
   bool openSession(const QString& file);
   Workspace& workspaceOf(session::SessionKind kind);

@@ -68,11 +68,16 @@ void MainWindow::newCalibration() { begin(*m_angle); }
 
 void MainWindow::newFieldCalibration() { begin(field()); }
 
-void MainWindow::startSimulatedBench() {
-  if (!begin(*m_angle)) {
+void MainWindow::startSimulatedBench() { startOnSimulatedBench(*m_angle); }
+
+void MainWindow::startSimulatedFieldBench() { startOnSimulatedBench(field()); }
+
+template <typename OwnWorkspace>
+void MainWindow::startOnSimulatedBench(OwnWorkspace& workspace) {
+  if (!begin(workspace)) {
     return;
   }
-  const auto step = m_angle->connectSimulatedBench();
+  const auto step = workspace.connectSimulatedBench();
   if (!step) {
     complain(step.error());
     return;

@@ -31,8 +31,11 @@ void MainWindow::makeFileMenu() {
   menu->addAction(lineIcon("new"), tr("&New Angle Calibration"), QKeySequence::New, this, &MainWindow::newCalibration);
   menu->addAction(lineIcon("new"), tr("New &Field Calibration"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_N), this,
                   &MainWindow::newFieldCalibration);
-  menu->addAction(lineIcon("bench"), tr("New on the Simulated &Bench"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
-                  this, &MainWindow::startSimulatedBench);
+  menu->addAction(lineIcon("bench"), tr("New on the Simulated Angle &Bench"),
+                  QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), this, &MainWindow::startSimulatedBench);
+  menu->addAction(lineIcon("bench"), tr("New on the Si&mulated Field Bench"),
+                  QKeySequence(Qt::CTRL | Qt::ALT | Qt::SHIFT | Qt::Key_N), this,
+                  &MainWindow::startSimulatedFieldBench);
   menu->addAction(lineIcon("open"), tr("&Open…"), QKeySequence::Open, this, &MainWindow::openDialog);
   m_recentMenu = menu->addMenu(tr("Open &Recent"));
   connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);

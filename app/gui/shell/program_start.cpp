@@ -30,6 +30,8 @@ ProgramOptions parseProgramOptions(const QStringList& arguments) {
       options.version = true;
     } else if (argument == "--simulated") {
       options.simulated = true;
+    } else if (argument == "--simulated-field") {
+      options.simulatedField = true;
     } else if (argument == "-platform" || argument == "-style") {
       ++i;
     } else {
@@ -40,8 +42,11 @@ ProgramOptions parseProgramOptions(const QStringList& arguments) {
   if (options.files.size() > 1) {
     options.problem =
         QStringLiteral("one file at a time, %1 were given; start the program once for each").arg(options.files.size());
-  } else if (options.simulated && !options.files.isEmpty()) {
-    options.problem = QStringLiteral("--simulated begins a new calibration; leave the file out");
+  } else if (options.simulated && options.simulatedField) {
+    options.problem = QStringLiteral("--simulated and --simulated-field exclude each other; give one of them");
+  } else if ((options.simulated || options.simulatedField) && !options.files.isEmpty()) {
+    options.problem = QStringLiteral("%1 begins a new calibration; leave the file out")
+                          .arg(options.simulated ? "--simulated" : "--simulated-field");
   }
   return options;
 }
@@ -55,10 +60,11 @@ QString programUsage() {
       "campaign (.csv) to import.\n"
       "\n"
       "Options:\n"
-      "  --simulated   begin a new calibration on the simulated bench\n"
-      "  --render      draw plots and report of a calibration without a display\n"
-      "  -h, --help    print this and end\n"
-      "  --version     print the version and end\n"
+      "  --simulated         begin a new angle calibration on the simulated bench\n"
+      "  --simulated-field   begin a new field calibration on the simulated bench\n"
+      "  --render            draw plots and report of a calibration without a display\n"
+      "  -h, --help          print this and end\n"
+      "  --version           print the version and end\n"
       "\n"
       "Without a display use straightedge-cli.\n");
 }

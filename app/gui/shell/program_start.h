@@ -11,10 +11,11 @@ namespace straightedge::gui {
 struct ProgramOptions {
   bool help = false;
   bool version = false;
-  bool simulated = false; ///< begin on the simulated bench
-  bool render = false;    ///< --render …: pictures and report without a window
-  QStringList files;      ///< at most one
-  QString problem;        ///< wrong usage, as a sentence; empty where all is well
+  bool simulated = false;      ///< begin on the simulated angle bench
+  bool simulatedField = false; ///< begin on the simulated field bench
+  bool render = false;         ///< --render …: pictures and report without a window
+  QStringList files;           ///< at most one
+  QString problem;             ///< wrong usage, as a sentence; empty where all is well
 };
 
 /// `arguments` without the program's name. Options of the form that Qt itself understands (-platform …) are left alone.

@@ -105,8 +105,10 @@ QWidget* StartPage::makeActions() {
   card("new", tr("New fiel&d calibration"), tr("Capture a campaign, or import one from a CSV file"),
        &StartPage::newFieldCalibration, "startNewField");
   card("open", tr("&Open…"), tr("A .sedge file, a sweep or a campaign (.csv)"), &StartPage::openFile, "startOpen");
-  card("bench", tr("&Simulated bench"), tr("Try the whole way without hardware"), &StartPage::simulatedBench,
+  card("bench", tr("&Simulated angle bench"), tr("Try the whole way without hardware"), &StartPage::simulatedBench,
        "startSimulated");
+  card("bench", tr("Simulated field &bench"), tr("A Hall probe, an NMR, a magnet and chambers, all simulated"),
+       &StartPage::simulatedFieldBench, "startSimulatedField");
   layout->addSpacing(12);
   layout->addWidget(heading(tr("Examples"), 1.15, box));
   for (const Example& example : examples()) {

@@ -21,6 +21,7 @@ signals:
   void newFieldCalibration();
   void openFile();
   void simulatedBench();
+  void simulatedFieldBench();
   void openExample(const QString& resource);
   void openRecent(const QString& file);
   void recover(const QString& scratchFile);

@@ -2,8 +2,7 @@
 
 #include "app/gui/document/angle_document.h"
 #include "app/gui/document/capture_record.h"
-
-#include <QLocale>
+#include "app/gui/steps/capture_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,25 +13,6 @@ namespace {
 
 // What an instrument takes to answer; only the estimate of the duration depends on it.
 constexpr double readingS = 0.002;
-
-QString durationText(double seconds) {
-  if (seconds < 1.0) {
-    return CapturePresenter::tr("less than 1 s");
-  }
-  const qint64 whole = std::llround(seconds);
-  if (whole < 60) {
-    return CapturePresenter::tr("%1 s").arg(whole);
-  }
-  if (whole < 3600) {
-    return CapturePresenter::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
-  }
-  return CapturePresenter::tr("%1 h %2 min").arg(whole / 3600).arg(whole % 3600 / 60);
-}
-
-/// Thousands apart by a narrow space, whatever the user's locale: numbers read the same as in the plots.
-QString countText(qint64 count) {
-  return QLocale(QLocale::English).toString(count).replace(QLatin1Char(','), QChar(0x202f));
-}
 
 int stationsOf(const devices::AnglePlan& plan) {
   return plan.pointsPerTurn * plan.turns * (plan.bothDirections ? 2 : 1);

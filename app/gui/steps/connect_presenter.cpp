@@ -2,7 +2,6 @@
 
 #include "app/gui/document/angle_document.h"
 #include "core/angle/angles.h"
-#include "core/base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,29 +24,14 @@ QString angleText(double deg, int decimals) {
   return QString::number(deg, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212)) + QStringLiteral("°");
 }
 
-QString orNotStated(const std::string& text) {
-  return text.empty() ? ConnectPresenter::tr("not stated") : QString::fromStdString(text);
-}
-
-/// "MODEL, serial SERIAL", as much of it as is stated.
-QString joined(const std::string& first, const QString& word, const std::string& second) {
-  const QString tail = second.empty() ? QString() : word + QLatin1Char(' ') + QString::fromStdString(second);
-  return first.empty() && !second.empty()
-             ? tail
-             : orNotStated(first) + (tail.isEmpty() ? QString() : QStringLiteral(", ") + tail);
-}
-
 } // namespace
 
 ConnectPresenter::ConnectPresenter(AngleDocument& document, BenchLink& bench, QObject* parent)
     : QObject(parent), m_document(document), m_bench(bench) {
   connect(&bench, &BenchLink::connectionChanged, this, [this] {
     m_opened = std::exchange(m_opening, nullptr); // null where it was connected by somebody else
-    m_reading.reset();
-    m_differences.clear();
-    m_steady = 0;
+    loseReading();
     emit connectionChanged();
-    emit readingChanged();
     emit traceabilityChanged();
   });
   connect(&bench, &BenchLink::progressChanged, this, [this] { // comes once per frame
@@ -118,14 +102,7 @@ void ConnectPresenter::setProblem(const QString& problem) {
   }
 }
 
-QList<ConnectPresenter::Instrument> ConnectPresenter::instruments() const {
-  QList<Instrument> list;
-  for (const BenchInstrument& instrument : m_bench.instruments()) {
-    list.append({instrument.role, QString::fromStdString(instrument.identity.model),
-                 QString::fromStdString(instrument.identity.serial)});
-  }
-  return list;
-}
+QList<ConnectedInstrument> ConnectPresenter::instruments() const { return connectedInstruments(m_bench); }
 
 void ConnectPresenter::setShown(bool shown) { m_bench.setLiveReading(shown); }
 
@@ -141,6 +118,13 @@ void ConnectPresenter::takeReading(double encoderDeg, double sensorDeg) {
   if (m_differences.size() > traceLength) {
     m_differences.removeFirst();
   }
+  emit readingChanged();
+}
+
+void ConnectPresenter::loseReading() {
+  m_reading.reset();
+  m_differences.clear();
+  m_steady = 0;
   emit readingChanged();
 }
 
@@ -203,46 +187,26 @@ void ConnectPresenter::moveShaftTo(double encoderDeg) {
 }
 
 QString ConnectPresenter::traceabilitySummary() const {
-  const Traceability& stated = m_document.traceability();
-  QStringList lines;
-  const ReferenceInstrument& reference = stated.reference;
-  lines << tr("Device: %1").arg(joined(stated.deviceModel, tr("serial"), stated.deviceSerial));
-  lines << tr("Reference: %1").arg(joined(reference.model, tr("serial"), reference.serial));
-  lines << tr("Certificate: %1").arg(joined(reference.certificate, tr("due"), reference.due));
-  lines << (stated.reference.uncertainty > 0.0
-                ? tr("Reference uncertainty: %1° (k = 2)")
-                      .arg(QString::fromStdString(formatForPeople(stated.reference.uncertainty)))
-                : tr("Reference uncertainty: not stated, so it counts as zero"));
-  lines << tr("Operator: %1").arg(orNotStated(stated.operatorName));
-  if (stated.ambientC) {
-    lines << tr("Ambient temperature: %1 °C").arg(QString::fromStdString(formatForPeople(*stated.ambientC)));
+  return traceabilityLines(m_document.traceability(), QStringLiteral("°"));
+}
+
+std::optional<BenchIdentities> ConnectPresenter::identities() const {
+  const std::vector<BenchInstrument> instruments = m_bench.instruments();
+  if (instruments.size() < 2) {
+    return std::nullopt;
   }
-  return lines.join(QLatin1Char('\n'));
+  return BenchIdentities{instruments[0].identity, instruments[1].identity};
 }
 
 bool ConnectPresenter::canTakeOverInstruments() const {
-  const std::vector<BenchInstrument> instruments = m_bench.instruments();
-  if (instruments.size() < 2) {
-    return false;
-  }
-  const Traceability& stated = m_document.traceability();
-  const devices::InstrumentIdentity& sensor = instruments[0].identity;
-  const devices::InstrumentIdentity& reference = instruments[1].identity;
-  return stated.deviceModel != sensor.model || stated.deviceSerial != sensor.serial ||
-         stated.reference.model != reference.model || stated.reference.serial != reference.serial;
+  const auto bench = identities();
+  return bench && tellsMore(*bench, m_document.traceability());
 }
 
 void ConnectPresenter::takeOverInstruments() {
-  if (!canTakeOverInstruments()) {
-    return;
+  if (canTakeOverInstruments()) {
+    m_document.setTraceability(withIdentities(m_document.traceability(), *identities()));
   }
-  const std::vector<BenchInstrument> instruments = m_bench.instruments();
-  Traceability stated = m_document.traceability();
-  stated.deviceModel = instruments[0].identity.model;
-  stated.deviceSerial = instruments[0].identity.serial;
-  stated.reference.model = instruments[1].identity.model;
-  stated.reference.serial = instruments[1].identity.serial;
-  m_document.setTraceability(stated);
 }
 
 } // namespace straightedge::gui

@@ -3,6 +3,7 @@
 
 #include "app/gui/document/bench_link.h"
 #include "app/gui/plots/plot_spec.h"
+#include "app/gui/steps/connect_words.h"
 #include "devices/bench/opened_bench.h"
 
 #include <QList>
@@ -19,9 +20,6 @@ class AngleDocument;
 class ConnectPresenter : public QObject {
   Q_OBJECT
 public:
-  struct Instrument {
-    QString role, model, serial;
-  };
   struct Reading {
     double encoderDeg = 0.0; ///< unwrapped
     double sensorDeg = 0.0;  ///< [0, 360)
@@ -36,7 +34,7 @@ public:
   void disconnectBench();
   QString statusText() const; ///< one line: what is connected, or what to do
   QString problem() const;    ///< the last thing that went wrong, with its remedy; empty after success
-  QList<Instrument> instruments() const;
+  QList<ConnectedInstrument> instruments() const;
   bool simulated() const; ///< connected to the simulated bench
   /// Real instruments that were opened: they become the bench, and the plan pairs readings as it says.
   bool useInstruments(const std::shared_ptr<devices::OpenedBench>& opened);
@@ -46,6 +44,7 @@ public:
   // Live reading
   void setShown(bool shown);                             ///< reads only while somebody looks
   void takeReading(double encoderDeg, double sensorDeg); ///< of instruments that somebody else reads
+  void loseReading();                                    ///< there is none now: a number that stays would be made up
   std::optional<Reading> reading() const;
   QString encoderText() const; ///< "123.4567°", a dash without a reading
   QString sensorText() const;
@@ -67,6 +66,7 @@ signals:
   void traceabilityChanged();
 
 private:
+  std::optional<BenchIdentities> identities() const;
   void setProblem(const QString& problem);
 
   AngleDocument& m_document;

@@ -2,20 +2,18 @@
 
 #include "app/gui/bench/bench_console.h"
 #include "app/gui/bench/bench_panel.h"
+#include "app/gui/steps/connect_column.h"
 #include "app/gui/steps/live_dial.h"
 #include "app/gui/steps/notice_list.h"
 #include "app/gui/steps/simulated_bench_form.h"
 #include "app/gui/steps/value_label.h"
 
 #include <QDoubleSpinBox>
-#include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSplitter>
-#include <QTabWidget>
 #include <QVBoxLayout>
 
 namespace straightedge::gui {
@@ -29,14 +27,8 @@ ConnectStep::ConnectStep(StepContext context, QWidget* parent)
   auto* columns = new QHBoxLayout;
   columns->setSpacing(16);
   page->addLayout(columns, 1);
-  columns->addWidget(makeBenchColumn());
-  auto* live = new QSplitter(Qt::Vertical, this);
-  live->addWidget(makeLiveBox());
-  live->addWidget(&m_panel->console());
-  live->setChildrenCollapsible(false);
-  live->setStretchFactor(0, 3);
-  live->setStretchFactor(1, 2);
-  columns->addWidget(live, 1);
+  columns->addWidget(makeColumn());
+  columns->addWidget(withConsole(makeLiveBox(), m_panel->console(), this), 1);
 
   m_form->setSettings(context.bench.simulatedSettings());
   connect(&m_presenter, &ConnectPresenter::connectionChanged, this, &ConnectStep::showConnection);
@@ -57,6 +49,7 @@ void ConnectStep::connectInstruments() {
   });
   connect(&m_realBench.opener(), &BenchOpener::closed, &m_presenter, &ConnectPresenter::letGoOfInstruments);
   connect(&m_realBench.opener(), &BenchOpener::angleRead, &m_presenter, &ConnectPresenter::takeReading);
+  connect(&m_realBench.opener(), &BenchOpener::angleLost, &m_presenter, &ConnectPresenter::loseReading);
   connect(&m_presenter, &ConnectPresenter::connectionChanged, this, [this] {
     m_realBench.setCapturing(!m_presenter.mayChange());
     if (const auto& bench = m_realBench.opener().bench(); bench && !m_presenter.usesInstruments(bench.get())) {
@@ -79,110 +72,22 @@ void ConnectStep::left() {
   m_realBench.setShown(false);
 }
 
-QWidget* ConnectStep::makeBenchColumn() {
-  auto* content = new QWidget;
-  auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(12);
-
-  m_tabs = new QTabWidget(content);
-  m_tabs->setObjectName(QStringLiteral("benchTabs"));
-  m_tabs->addTab(makeSimulatedTab(), tr("Si&mulated bench"));
-  auto* instruments = new QWidget;
-  auto* tab = new QVBoxLayout(instruments);
-  m_panel = new BenchPanel(m_realBench, instruments);
-  tab->addWidget(m_panel);
-  tab->addStretch(1);
-  m_tabs->addTab(instruments, tr("I&nstruments"));
-  m_tabs->setCurrentIndex(m_realBench.benchName().isEmpty() ? 0 : 1); // what was used last
-  column->addWidget(m_tabs);
-  m_next = new QPushButton(tr("Go on to Capture"), content);
-  m_next->setObjectName(QStringLiteral("goToCapture"));
-  auto* onward = new QHBoxLayout;
-  onward->addStretch(1);
-  onward->addWidget(m_next);
-  column->addLayout(onward);
-  column->addWidget(makeInstrumentsBox());
-  column->addWidget(makeTraceabilityBox());
-  column->addStretch(1);
-  connect(m_next, &QPushButton::clicked, this, [this] { emit goToStep(tr("Capture")); });
-
-  auto* scroll = new QScrollArea(this); // a small window must not cut the form
-  scroll->setObjectName(QStringLiteral("connectColumn"));
-  scroll->setWidget(content);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFixedWidth(content->fontMetrics().averageCharWidth() * 66);
-  return scroll;
-}
-
-QWidget* ConnectStep::makeSimulatedTab() {
-  auto* box = new QWidget;
-  auto* layout = new QVBoxLayout(box);
-  auto* about = new QLabel(tr("A magnet, a sensor and an encoder in software, with a truth that is known. For learning "
-                              "the method and for trying out plans."),
-                           box);
-  about->setWordWrap(true);
-  layout->addWidget(about);
-  m_form = new SimulatedBenchForm(box);
-  layout->addWidget(m_form);
-  m_status = new QLabel(box);
-  m_status->setObjectName(QStringLiteral("benchStatus"));
-  m_status->setWordWrap(true);
-  layout->addWidget(m_status);
-  auto* buttons = new QHBoxLayout;
-  m_connect = new QPushButton(box);
-  m_connect->setObjectName(QStringLiteral("connectBench"));
-  buttons->addWidget(m_connect);
-  buttons->addStretch(1);
-  layout->addLayout(buttons);
-  layout->addStretch(1);
-  connect(m_connect, &QPushButton::clicked, this, [this] {
-    if (m_presenter.simulated()) {
-      m_presenter.disconnectBench();
-    } else {
-      m_presenter.connectSimulated(m_form->settings());
-    }
-  });
-  return box;
-}
-
-QWidget* ConnectStep::makeInstrumentsBox() {
-  auto* box = new QGroupBox(tr("Connected"), this);
-  auto* layout = new QVBoxLayout(box);
-  m_instruments = new QLabel(box);
-  m_instruments->setObjectName(QStringLiteral("instruments"));
-  m_instruments->setTextFormat(Qt::RichText);
-  m_instruments->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  m_instruments->setWordWrap(true);
-  layout->addWidget(m_instruments);
-  return box;
-}
-
-QWidget* ConnectStep::makeTraceabilityBox() {
-  auto* box = new QGroupBox(tr("Traceability"), this);
-  auto* layout = new QVBoxLayout(box);
-  m_traceability = new QLabel(box);
-  m_traceability->setObjectName(QStringLiteral("traceabilitySummary"));
-  m_traceability->setTextFormat(Qt::PlainText);
-  m_traceability->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  m_traceability->setWordWrap(true);
-  layout->addWidget(m_traceability);
-  auto* buttons = new QHBoxLayout;
-  auto* details = new QPushButton(tr("Edit details…"), box);
-  details->setObjectName(QStringLiteral("editDetails"));
-  details->setToolTip(tr("Device, reference instrument, operator and ambient temperature; they go into every result"));
-  m_takeOver = new QPushButton(tr("Use connected instruments"), box);
-  m_takeOver->setObjectName(QStringLiteral("takeOverInstruments"));
-  m_takeOver->setToolTip(tr("Writes model and serial of the connected sensor and encoder into the details"));
-  buttons->addWidget(details);
-  buttons->addWidget(m_takeOver);
-  buttons->addStretch(1);
-  layout->addLayout(buttons);
-  connect(details, &QPushButton::clicked, this, &StepPage::detailsRequested);
-  connect(m_takeOver, &QPushButton::clicked, &m_presenter, &ConnectPresenter::takeOverInstruments);
-  return box;
+QWidget* ConnectStep::makeColumn() {
+  m_column = new ConnectColumn(this);
+  m_form = new SimulatedBenchForm(m_column);
+  m_column->addBench(tr("Simulated bench"),
+                     tr("A magnet, a sensor and an encoder in software, with a truth that is known. For learning the "
+                        "method and for trying out plans."),
+                     m_form);
+  m_panel = new BenchPanel(m_realBench, m_column);
+  m_column->addBench(tr("Instruments"), {}, m_panel, false);
+  m_column->chooseBench(m_realBench.benchName().isEmpty() ? 0 : 1); // what was used last
+  connect(m_column, &ConnectColumn::connectWanted, this, [this] { m_presenter.connectSimulated(m_form->settings()); });
+  connect(m_column, &ConnectColumn::disconnectWanted, &m_presenter, &ConnectPresenter::disconnectBench);
+  connect(m_column, &ConnectColumn::nextWanted, this, [this] { emit goToStep(tr("Capture")); });
+  connect(m_column, &ConnectColumn::detailsWanted, this, &StepPage::detailsRequested);
+  connect(m_column, &ConnectColumn::takeOverWanted, &m_presenter, &ConnectPresenter::takeOverInstruments);
+  return m_column;
 }
 
 QWidget* ConnectStep::makeLiveBox() {
@@ -244,24 +149,11 @@ QWidget* ConnectStep::makeLiveBox() {
 }
 
 void ConnectStep::showConnection() {
-  const bool connected = m_presenter.connected();
-  const bool simulated = m_presenter.simulated();
-  m_form->setEnabled(!simulated);
-  m_connect->setText(simulated ? tr("&Disconnect") : tr("&Connect"));
-  m_connect->setEnabled(m_presenter.mayChange());
-  m_connect->setDefault(!connected);
-  m_next->setVisible(connected);
-  m_status->setText(m_presenter.statusText());
-  QStringList rows;
-  for (const ConnectPresenter::Instrument& instrument : m_presenter.instruments()) {
-    rows << QStringLiteral("<b>%1</b><br>%2, %3")
-                .arg(instrument.role.toHtmlEscaped(), instrument.model.toHtmlEscaped(),
-                     instrument.serial.isEmpty() ? tr("no serial number")
-                                                 : tr("serial %1").arg(instrument.serial.toHtmlEscaped()));
-  }
-  m_instruments->setText(rows.isEmpty() ? tr("None. They are listed here with model and serial number once the bench "
-                                             "is connected.")
-                                        : rows.join(QStringLiteral("<br>")));
+  m_column->showConnection({.connected = m_presenter.connected(),
+                            .form = m_presenter.simulated() ? m_form : nullptr,
+                            .mayChange = m_presenter.mayChange(),
+                            .status = m_presenter.statusText(),
+                            .instruments = m_presenter.instruments()});
   showTraceability();
   showReading();
 }
@@ -288,8 +180,7 @@ void ConnectStep::showProblem() {
 }
 
 void ConnectStep::showTraceability() {
-  m_traceability->setText(m_presenter.traceabilitySummary());
-  m_takeOver->setVisible(m_presenter.canTakeOverInstruments());
+  m_column->showTraceability(m_presenter.traceabilitySummary(), m_presenter.canTakeOverInstruments());
 }
 
 StepPage* makeConnectStep(StepContext context, QWidget* parent) { return new ConnectStep(context, parent); }

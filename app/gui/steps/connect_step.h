@@ -5,14 +5,13 @@
 #include "app/gui/steps/connect_presenter.h"
 #include "app/gui/steps/step_page.h"
 
-class QLabel;
-class QPushButton;
 class QDoubleSpinBox;
-class QTabWidget;
+class QPushButton;
 
 namespace straightedge::gui {
 
 class BenchPanel;
+class ConnectColumn;
 class LiveDial;
 class NoticeList;
 class SimulatedBenchForm;
@@ -29,12 +28,9 @@ public:
   void left() override;
 
 private:
-  QWidget* makeBenchColumn();
-  QWidget* makeSimulatedTab();
+  QWidget* makeColumn();
   void connectInstruments();
   QWidget* makeLiveBox();
-  QWidget* makeInstrumentsBox();
-  QWidget* makeTraceabilityBox();
   void showConnection();
   void showReading();
   void showProblem();
@@ -42,13 +38,10 @@ private:
 
   ConnectPresenter m_presenter;
   BenchPresenter m_realBench;
-  QTabWidget* m_tabs = nullptr;
   BenchPanel* m_panel = nullptr;
   NoticeList* m_notices = nullptr;
+  ConnectColumn* m_column = nullptr;
   SimulatedBenchForm* m_form = nullptr;
-  QPushButton* m_connect = nullptr;
-  QPushButton* m_next = nullptr;
-  QLabel* m_status = nullptr;
   LiveDial* m_dial = nullptr;
   ValueLabel* m_encoder = nullptr;
   ValueLabel* m_sensor = nullptr;
@@ -57,9 +50,6 @@ private:
   QDoubleSpinBox* m_shaft = nullptr;
   QPushButton* m_move = nullptr;
   PlotView* m_trace = nullptr;
-  QLabel* m_instruments = nullptr;
-  QLabel* m_traceability = nullptr;
-  QPushButton* m_takeOver = nullptr;
 };
 
 } // namespace straightedge::gui

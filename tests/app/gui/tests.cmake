@@ -17,7 +17,7 @@ function(straightedge_add_qt_test)
     ENVIRONMENT "QT_QPA_PLATFORM=offscreen;QT_FATAL_CRITICALS=1" LABELS "${ARG_LABELS}" TIMEOUT 300)
 endfunction()
 
-foreach(room plots figures document jobs shell bench steps steps_capture steps_fit field_steps window end_to_end screenshots)
+foreach(room plots figures document jobs shell bench steps steps_capture steps_fit field_steps field_capture window end_to_end screenshots)
   if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/app/gui/${room}/tests.cmake)
     include(app/gui/${room}/tests.cmake)
   endif()

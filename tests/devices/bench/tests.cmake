@@ -1,5 +1,5 @@
 straightedge_add_test(NAME devices_bench
-  SOURCES devices/bench/device_listing_test.cpp devices/bench/reading_pairing_test.cpp
+  SOURCES devices/bench/bench_check_test.cpp devices/bench/device_listing_test.cpp devices/bench/reading_pairing_test.cpp
     devices/bench/saved_bench_test.cpp
   LIBRARIES straightedge::devices
   LABELS devices)
@@ -14,6 +14,6 @@ add_dependencies(bench_cli straightedge-cli)
 
 # Benches in the test's own process, on emulated instruments.
 straightedge_add_usb_test(NAME bench_usb
-  SOURCES devices/bench/opened_bench_test.cpp
+  SOURCES devices/bench/bench_talk_test.cpp devices/bench/opened_bench_test.cpp
   LIBRARIES straightedge::core straightedge::devices
   LABELS devices)

@@ -3,8 +3,11 @@
 #include "app/gui/bench/bench_console.h"
 #include "app/gui/bench/device_list.h"
 #include "app/gui/bench/role_row.h"
+#include "app/gui/shell/field_workspace.h"
 #include "app/gui/shell/program_start.h"
 #include "app/gui/shell/theme.h"
+#include "app/gui/steps/connect_column.h"
+#include "app/gui/steps/value_label.h"
 #include "devices/bench/bench_folder.h"
 #include "devices/bench/saved_bench.h"
 #include "tests/app/gui/bench/angle_desk.h"
@@ -46,6 +49,7 @@ private slots:
   void unpluggedWhileIdleTheRoleSaysSoAndGoesOn();
   void aSweepGoesOnAfterAReplug();
   void anotherBenchTakesItsPlace();
+  void aFieldBenchIsReadInItsOwnPage();
 };
 
 namespace {
@@ -64,7 +68,7 @@ struct DeskWindow {
     window.show();
     window.newCalibration();
     driver.step(QStringLiteral("Connect"));
-    driver.find<QTabWidget>(QStringLiteral("benchTabs"))->setCurrentIndex(1);
+    driver.find<QTabWidget>(QStringLiteral("benches"))->setCurrentIndex(1);
   }
   template <typename T>
   T& find(const char* name) {
@@ -126,7 +130,7 @@ void BenchWindowTest::withoutAnythingTheSimulatedBenchWorks() {
   if (desk.window.findChild<DeviceList*>(QStringLiteral("devices"))->count() == 0) { // this machine has no serial port
     QVERIFY(desk.textOf("devicesNote").startsWith(QStringLiteral("Nothing is plugged in")));
   }
-  desk.find<QTabWidget>("benchTabs").setCurrentIndex(0);
+  desk.find<QTabWidget>("benches").setCurrentIndex(0);
   QSignalSpy readings(&desk.window.bench(), &BenchLink::liveReading);
   desk.driver.click(QStringLiteral("connectBench"));
   QVERIFY(readings.wait(waitMs));
@@ -270,14 +274,44 @@ void BenchWindowTest::anotherBenchTakesItsPlace() {
   desk.plugBoard();
   desk.fillRoles();
   desk.connectBench();
-  desk.find<QTabWidget>("benchTabs").setCurrentIndex(0);
+  desk.find<QTabWidget>("benches").setCurrentIndex(0);
   desk.driver.click(QStringLiteral("connectBench"));
   QVERIFY(desk.window.bench().isSimulated());
-  desk.find<QTabWidget>("benchTabs").setCurrentIndex(1);
+  desk.find<QTabWidget>("benches").setCurrentIndex(1);
   QCOMPARE(desk.find<QPushButton>("openBench").text(), QStringLiteral("&Connect"));
   desk.connectBench();
   QVERIFY(!desk.window.bench().isSimulated());
   QVERIFY(desk.window.bench().isConnected());
+}
+
+void BenchWindowTest::aFieldBenchIsReadInItsOwnPage() {
+  DeskWindow desk;
+  desk.window.newFieldCalibration();
+  desk.driver.step(QStringLiteral("Connect"));
+  desk.find<QTabWidget>("benches").setCurrentIndex(1);
+  auto meter = std::make_shared<fakes::UsbTmcDevice>();
+  meter->onMessage([](const std::string& message) -> std::optional<std::string> {
+    if (message == "*IDN?") {
+      return "Metrolab Technology SA,THM1176-MF,0123456,el-A1-K1";
+    }
+    if (message == ":SYST:ERR?") {
+      return R"(0,"No error")";
+    }
+    return message.starts_with(":FETC") ? std::optional("0.25 T;-0.5 T;1 T;0x0;100;0") : std::nullopt;
+  });
+  const auto plug = desk.bus.plug(meter);
+  auto& choice = desk.find<QComboBox>("device-field-probe");
+  QTRY_VERIFY(choice.findText(QStringLiteral("0123456"), Qt::MatchContains) > 0);
+  desk.driver.choose(QStringLiteral("device-field-probe"),
+                     choice.itemText(choice.findText(QStringLiteral("0123456"), Qt::MatchContains)));
+  desk.connectBench();
+  QVERIFY(desk.window.field().bench().isConnected());
+  QVERIFY(!desk.window.field().bench().isSimulated());
+  QTRY_COMPARE(desk.find<QLabel>("value-field-probe").text(), QStringLiteral("0.250000  −0.500000  1.000000 T"));
+  QTRY_VERIFY(desk.find<ValueLabel>("raw_y").text().startsWith(QStringLiteral("−0.5")));
+  desk.bus.unplug(plug);
+  QTRY_COMPARE(desk.find<ValueLabel>("raw_y").text(), QStringLiteral("–"));
+  QVERIFY(desk.find<QLabel>("fault-field-probe").text().contains(QStringLiteral("not plugged in")));
 }
 
 std::unique_ptr<QObject> makeBenchWindowTest() { return std::make_unique<BenchWindowTest>(); }
@@ -323,7 +357,7 @@ int takeBenchPictures(QApplication& application, const QString& folder) {
   desk.connectBench();
   QTest::qWait(3000);
   take(QStringLiteral("connected"));
-  auto* scroll = desk.window.findChild<QScrollArea*>(QStringLiteral("connectColumn"));
+  auto* scroll = desk.window.findChild<ConnectColumn*>();
   scroll->verticalScrollBar()->setValue(scroll->verticalScrollBar()->maximum());
   desk.bus.unplug(plug);
   waitFor([&] { return !desk.textOf("fault-angle-reference").isEmpty(); });

@@ -4,6 +4,11 @@ straightedge_add_qt_test(NAME gui_end_to_end
   LIBRARIES straightedge::window
   LABELS gui)
 
+straightedge_add_qt_test(NAME gui_field_end_to_end
+  SOURCES app/gui/end_to_end/field_whole_way_test.cpp app/gui/end_to_end/window_driver.cpp
+  LIBRARIES straightedge::window
+  LABELS gui)
+
 straightedge_add_qt_test(NAME gui_under_xvfb
   SOURCES app/gui/end_to_end/under_xvfb_test.cpp
   LIBRARIES straightedge::build_flags

@@ -1,13 +1,13 @@
 // From the start page to exported files by mouse and keyboard: the truth of the simulated bench has to come back.
 #include "app/gui/shell/program_start.h"
 #include "core/angle/angles.h"
+#include "tests/app/gui/end_to_end/exported_files.h"
 #include "tests/app/gui/end_to_end/quiet_prompts.h"
 #include "tests/app/gui/end_to_end/window_driver.h"
 
 #include <QApplication>
 #include <QComboBox>
 #include <QDirIterator>
-#include <QImage>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
@@ -44,31 +44,6 @@ double largestTrueErrorDeg(const AngleDocument& document, const BenchLink& bench
     largest = std::max(largest, std::abs(error));
   }
   return largest;
-}
-
-bool parses(const QString& file) {
-  QFile opened(file);
-  if (!opened.open(QIODevice::ReadOnly) || opened.size() == 0) {
-    return false;
-  }
-  const QByteArray bytes = opened.readAll();
-  const QString kind = QFileInfo(file).suffix();
-  if (kind == QStringLiteral("json")) {
-    return !QJsonDocument::fromJson(bytes).isNull();
-  }
-  if (kind == QStringLiteral("png")) {
-    return !QImage::fromData(bytes, "PNG").isNull();
-  }
-  if (kind == QStringLiteral("pdf")) {
-    return bytes.startsWith("%PDF-") && bytes.contains("%%EOF");
-  }
-  if (kind == QStringLiteral("csv")) {
-    const QList<QByteArray> lines = bytes.trimmed().split('\n');
-    return lines.size() > 1 && std::all_of(lines.begin(), lines.end(), [&lines](const QByteArray& line) {
-             return line.count(',') == lines.front().count(',');
-           });
-  }
-  return kind == QStringLiteral("svg") || kind == QStringLiteral("html") ? bytes.contains('<') : true;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // A field document with a quick simulated campaign in a scratch session, and waiting for its results by signals.
 #pragma once
 
+#include "app/gui/document/field_bench_link.h"
 #include "app/gui/document/field_document.h"
 #include "app/gui/jobs/job_runner.h"
 #include "core/field/campaign_csv.h"
@@ -26,6 +27,7 @@ inline field::Campaign quickCampaign(std::uint64_t seed, const char* name = "pro
 struct OpenFieldDocument {
   JobRunner jobs;
   FieldDocument document{jobs};
+  FieldBenchLink bench{document};
 
   OpenFieldDocument() {
     QStandardPaths::setTestModeEnabled(true);

@@ -19,19 +19,19 @@ using testing::OpenFieldDocument;
 class FieldPagesTest : public QObject {
   Q_OBJECT
 private slots:
-  void placeholdersSayWhatToDo();
   void reviewSwitchesByKeyboard();
   void reviewFindsThePlateauOfAPoint();
   void fitSwitchesABlock();
   void fitKeepsItsFigure();
   void verifyShowsTheVerdict();
+  void verifySaysHowToCaptureAFreshOne();
   void compareIsMadeWhileShown();
 
 private:
   using Maker = StepPage* (*)(FieldStepContext, QWidget*);
   /// The page, shown as the window shows it.
   static std::unique_ptr<StepPage> shown(Maker maker, OpenFieldDocument& open) {
-    std::unique_ptr<StepPage> page(maker({open.document, open.jobs}, nullptr));
+    std::unique_ptr<StepPage> page(maker({open.document, open.bench, open.jobs}, nullptr));
     page->resize(1100, 720);
     page->show();
     page->entered();
@@ -46,14 +46,6 @@ private:
     return *child;
   }
 };
-
-void FieldPagesTest::placeholdersSayWhatToDo() {
-  OpenFieldDocument open;
-  for (const Maker maker : {&makeFieldConnectStep, &makeFieldCaptureStep}) {
-    const auto page = shown(maker, open);
-    QVERIFY(page->findChild<QLabel*>()->text().contains("straightedge-cli capture field --bench simulated"));
-  }
-}
 
 void FieldPagesTest::reviewSwitchesByKeyboard() {
   OpenFieldDocument open;
@@ -133,6 +125,27 @@ void FieldPagesTest::verifyShowsTheVerdict() {
   open.document.setVerificationCampaign(testing::quickCampaign(7));
   QVERIFY(open.settle());
   QVERIFY(named<QAbstractButton>(*page, "forgetVerification").isVisible());
+}
+
+void FieldPagesTest::verifySaysHowToCaptureAFreshOne() {
+  OpenFieldDocument open;
+  QVERIFY(open.load());
+  const auto page = shown(&makeFieldVerifyStep, open);
+  auto& capture = named<QAbstractButton>(*page, "captureVerification");
+  QVERIFY(!capture.isEnabled());
+  QVERIFY(named<QLabel>(*page, "captureProblem").text().contains("step Connect"));
+  devices::SimulatedFieldSettings settings;
+  settings.realTime = false;
+  settings.byHand = true;
+  QVERIFY(open.bench.connectSimulated(settings).has_value());
+  QVERIFY(capture.isEnabled());
+  QVERIFY(!named<QLabel>(*page, "captureProblem").isVisible());
+  QSignalSpy leads(page.get(), &StepPage::goToStep);
+  capture.click();
+  QVERIFY(open.bench.isCapturing());
+  QCOMPARE(open.bench.captureRole(), session::SweepRole::Verification);
+  QCOMPARE(leads.first().first().toString(), QStringLiteral("Capture"));
+  open.bench.stopAndWait();
 }
 
 void FieldPagesTest::compareIsMadeWhileShown() {

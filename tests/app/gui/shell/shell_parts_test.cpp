@@ -50,6 +50,11 @@ void ShellPartsTest::options_data() {
   QTest::newRow("file") << QStringList{"a.sedge"} << "a.sedge";
   QTest::newRow("file like an option") << QStringList{"--", "--help"} << "--help";
   QTest::newRow("simulated") << QStringList{"--simulated"} << "simulated";
+  QTest::newRow("simulated field") << QStringList{"--simulated-field"} << "simulated field";
+  QTest::newRow("both benches") << QStringList{"--simulated", "--simulated-field"}
+                                << "--simulated and --simulated-field exclude each other; give one of them";
+  QTest::newRow("field and file") << QStringList{"--simulated-field", "a"}
+                                  << "--simulated-field begins a new calibration; leave the file out";
   QTest::newRow("help") << QStringList{"-h"} << "help";
   QTest::newRow("version") << QStringList{"--version"} << "version";
   QTest::newRow("render") << QStringList{"--render", "a.json", "--out", "b"} << "render";
@@ -70,6 +75,7 @@ void ShellPartsTest::options() {
                              : options.version          ? "version"
                              : options.render           ? "render"
                              : options.simulated        ? "simulated"
+                             : options.simulatedField   ? "simulated field"
                                                         : options.files.join(' ');
   QCOMPARE(understood, means);
 }
