@@ -41,6 +41,8 @@ struct BenchSeat::Roles {
     Result<TimedReading> readDeg() override {
       return seat->ask(seat->m_instrument ? seat->m_instrument->angleReference() : nullptr, &AngleReference::readDeg);
     }
+    std::optional<double> incrementDeg() const override { return seat->m_incrementDeg; }
+    int timesOpened() const override { return seat->m_opened; }
   } reference;
   struct Probe : FieldProbe {
     BenchSeat* seat = nullptr;
@@ -48,6 +50,7 @@ struct BenchSeat::Roles {
     Result<FieldReading> readT() override {
       return seat->ask(seat->m_instrument ? seat->m_instrument->fieldProbe() : nullptr, &FieldProbe::readT);
     }
+    bool measuresElectronics() const override { return seat->m_measuresElectronics; }
   } probe;
   struct Field : FieldReference {
     BenchSeat* seat = nullptr;
@@ -99,7 +102,8 @@ Result<std::unique_ptr<BenchSeat>> BenchSeat::make(BenchInstrument wanted, const
   }
   seat->m_name += asked.serial.empty() ? " at " + asked.port : ", serial " + asked.serial;
   for (const InstrumentRole role : asked.roles) {
-    if (std::ranges::find(canFill, role) == canFill.end()) {
+    const InstrumentRole kind = role == InstrumentRole::ChamberTemperature ? InstrumentRole::Temperature : role;
+    if (std::ranges::find(canFill, kind) == canFill.end()) {
       return fail(ErrorKind::Input, seat->m_name + " cannot fill the role " + std::string(roleWord(role)),
                   "give the role to another instrument", "bench");
     }
@@ -225,6 +229,9 @@ Result<void> BenchSeat::open(const DeviceLister& list) {
   m_identity.model = m_identity.model.empty() ? m_name : m_identity.model;
   m_instrument = std::move(instrument);
   m_knowsSign = m_instrument->fieldReference() != nullptr && m_instrument->fieldReference()->knowsSign();
+  m_measuresElectronics = m_instrument->fieldProbe() != nullptr && m_instrument->fieldProbe()->measuresElectronics();
+  m_incrementDeg =
+      m_instrument->angleReference() != nullptr ? m_instrument->angleReference()->incrementDeg() : std::nullopt;
   m_gone = false;
   ++m_opened;
   return {};
@@ -278,6 +285,10 @@ ResistanceMeter* BenchSeat::resistanceMeter() {
 }
 Thermometer* BenchSeat::thermometer() {
   const bool can = fills(InstrumentRole::Temperature) && m_instrument && m_instrument->thermometer() != nullptr;
+  return can ? &m_roles->temperature : nullptr;
+}
+Thermometer* BenchSeat::chamberThermometer() {
+  const bool can = fills(InstrumentRole::ChamberTemperature) && m_instrument && m_instrument->thermometer() != nullptr;
   return can ? &m_roles->temperature : nullptr;
 }
 

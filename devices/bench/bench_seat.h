@@ -54,6 +54,7 @@ public:
   FieldReference* fieldReference();
   ResistanceMeter* resistanceMeter();
   Thermometer* thermometer();
+  Thermometer* chamberThermometer();
 
   /// Of the last reading, as BenchConnection::lastFault().
   std::optional<TransportFault> lastFault() const { return m_lastFault; }
@@ -85,6 +86,8 @@ private:
   int m_opened = 0; ///< times that it was opened and set up
   InstrumentIdentity m_identity;
   bool m_knowsSign = false;
+  bool m_measuresElectronics = false;
+  std::optional<double> m_incrementDeg;
   bool m_gone = false;
   std::optional<TransportFault> m_lastFault;
   std::unique_ptr<Roles> m_roles;

@@ -300,8 +300,9 @@ CaptureLoop::Step<void> FieldWorker::fillTemperatures(const FieldReading& readin
     }
     sample.electronicsC = electronics->value;
   }
-  if (withChamber && m_bench.probeChamber != nullptr) {
-    const auto chamber = fromInstrument(m_bench.probeChamber->readC(), "chamber");
+  if (withChamber && (m_bench.probeChamber != nullptr || m_bench.chamber != nullptr)) {
+    const auto chamber = fromInstrument(
+        m_bench.probeChamber != nullptr ? m_bench.probeChamber->readC() : m_bench.chamber->readC(), "chamber");
     if (!chamber) {
       return std::unexpected(chamber.error());
     }
