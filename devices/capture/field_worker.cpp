@@ -209,7 +209,7 @@ CaptureLoop::Step<void> FieldWorker::measureSweep(FieldTask task) {
   if (chamber == nullptr) {
     if (auto begun = askFor("begin to sweep " + std::string(ofProbe ? "the probe" : "the electronics") + " from " +
                             formatForPeople(stage.lowC) + " to " + formatForPeople(stage.highC) + " °C and back, " +
-                            std::to_string(stage.cycles) + " times");
+                            (stage.cycles == 1 ? "once" : std::to_string(stage.cycles) + " times"));
         !begun) {
       return begun;
     }
