@@ -163,15 +163,15 @@ EmulatedFieldDesk::Sent EmulatedFieldDesk::sent() const {
   return m_sent;
 }
 
-std::string EmulatedFieldDesk::benchJson(bool withNmr, bool withMultimeter, bool withChamber) {
+std::string EmulatedFieldDesk::benchJson(bool withNmr, const std::string& multimeter, bool withChamber) {
   std::string json = R"({"format": "straightedge-bench", "version": 1, "name": "magnet", "instruments": [
     {"instrument": "metrolab-thm1176", "roles": ["field-probe"], "serial": "0123456",
      "settings": {"celsius_per_count": "0.001"}})";
   if (withNmr) {
     json += R"(, {"instrument": "metrolab-pt2025", "roles": ["field-reference"], "serial": "NMR-1"})";
   }
-  if (withMultimeter) {
-    json += R"(, {"instrument": "scpi-multimeter", "roles": ["resistance"], "serial": "DMM-1"})";
+  if (!multimeter.empty()) {
+    json += R"(, {"instrument": ")" + multimeter + R"(", "roles": ["resistance"], "serial": "DMM-1"})";
   }
   if (withChamber) {
     json += R"(, {"instrument": "ascii-board", "roles": ["chamber-temperature"], "serial": "ACM-1",

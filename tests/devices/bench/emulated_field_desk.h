@@ -39,7 +39,9 @@ public:
   static std::array<double, 3> readingT(double fieldT, std::size_t axis);
 
   static constexpr double celsiusPerCount = 0.001; ///< of the teslameter's thermometer, for the bench's settings
-  static std::string benchJson(bool withNmr = true, bool withMultimeter = true, bool withChamber = false);
+  /// `multimeter`: id of its driver or profile; empty: there is none.
+  static std::string benchJson(bool withNmr = true, const std::string& multimeter = "scpi-multimeter",
+                               bool withChamber = false);
 
 private:
   std::string teslameterReply();

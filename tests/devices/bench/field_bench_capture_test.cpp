@@ -179,6 +179,31 @@ TEST_F(FieldBenchCapture, TheNmrUnpluggedInTheMiddleOfAReplyLosesNothing) {
   EXPECT_EQ(m_desk.sent().nmrT.size(), rows.size() + 1);
 }
 
+TEST_F(FieldBenchCapture, UnpluggedWhileItWaitsForAPersonItAsksAgainWhenTheInstrumentIsBack) {
+  m_bus.plug(m_desk.nmr());
+  m_bus.plug(m_desk.multimeter());
+  auto plug = m_bus.plug(m_desk.teslameter());
+  const auto said =
+      runCliAttended(command("--stages nonlinearity --axes z --fields 0.5,1 --rows 2", EmulatedFieldDesk::benchJson()),
+                     [&](const std::string& line, pid_t) -> std::string {
+                       if (line.find("the capture waits for it") != std::string::npos) {
+                         m_bus.plug(m_desk.teslameter());
+                       }
+                       if (line.starts_with("Please set the field to 1.000 T") && m_bus.isPlugged(plug)) {
+                         m_bus.unplug(plug);
+                       }
+                       m_desk.obey(line);
+                       return line.starts_with("Please ") ? "\n" : "";
+                     });
+  ASSERT_EQ(said.code, 0) << said.err;
+  const std::string again = said.err.substr(said.err.find("the capture waits for it"));
+  EXPECT_THAT(again, HasSubstr("Please place the probe with its +z axis along the field, then press Enter\n"
+                               "Please set the field to 1.000 T, then press Enter\n"));
+  const auto rows = campaign().rows;
+  EXPECT_EQ(std::ranges::count(rows, true, &field::CampaignRow::locked), 2 * 2);
+  expectRowsAreWhatWasSent(rows, 0);
+}
+
 TEST_F(FieldBenchCapture, WhereNobodyIsThereItSaysSoKeepsWhatItHasAndGoesOn) {
   plugAll();
   const std::string plan = "--stages nonlinearity --axes x --fields 0.5,1 --rows 3";
@@ -214,7 +239,7 @@ TEST_F(FieldBenchCapture, ItIsStoppedWhileItWaitsForAPerson) {
 TEST_F(FieldBenchCapture, WhatTheBenchCannotMeasureIsRefusedWhereAskedForAndElseLeftOut) {
   plugAll();
   const auto asked =
-      alone("--stages nonlinearity,offset,probe-temperature --yes", {}, EmulatedFieldDesk::benchJson(true, false));
+      alone("--stages nonlinearity,offset,probe-temperature --yes", {}, EmulatedFieldDesk::benchJson(true, ""));
   EXPECT_EQ(asked.code, 4);
   EXPECT_THAT(asked.err, HasSubstr("magnet: this bench cannot measure probe-temperature without a PT100 meter "
                                    "(resistance) and a thermometer in the probe's chamber (chamber-temperature); "
@@ -228,7 +253,7 @@ TEST_F(FieldBenchCapture, WhatTheBenchCannotMeasureIsRefusedWhereAskedForAndElse
                         "reference field (field-reference); "));
 
   const auto said =
-      alone("--axes x --fields 0.5 --rows 1 --sweep-rows 10 --yes", {}, EmulatedFieldDesk::benchJson(false, false));
+      alone("--axes x --fields 0.5 --rows 1 --sweep-rows 10 --yes", {}, EmulatedFieldDesk::benchJson(false, ""));
   ASSERT_EQ(said.code, 0) << said.err;
   EXPECT_THAT(said.err, HasSubstr("bench magnet cannot measure nonlinearity, electronics-sensitivity, orientation and "
                                   "verification without a reference field (field-reference); "));
@@ -242,11 +267,11 @@ TEST_F(FieldBenchCapture, WhatTheBenchCannotMeasureIsRefusedWhereAskedForAndElse
   }
 }
 
-TEST_F(FieldBenchCapture, AThermometerInTheChamberFillsItsColumn) {
+TEST_F(FieldBenchCapture, AThermometerInTheChamberAndAProfilesPt100FillTheirColumns) {
   plugAll();
   m_bus.plug(m_desk.chamberThermometer());
-  const auto said =
-      attended("--stages probe-temperature --sweep-rows 10", {}, EmulatedFieldDesk::benchJson(true, true, true));
+  const auto said = attended("--stages probe-temperature --sweep-rows 10", {},
+                             EmulatedFieldDesk::benchJson(true, "scpi_multimeter_pt100", true));
   ASSERT_EQ(said.code, 0) << said.err;
   EXPECT_THAT(said.err, HasSubstr("Please begin to sweep the probe from 14.00 to 34.00 °C and back, 2 times"));
   const auto rows = campaign().rows;
@@ -308,7 +333,7 @@ TEST_F(FieldBenchCapture, ACampaignIsNotGoneOnWithOnAnotherBench) {
       runCli({"capture", "field", "--bench", "simulated", "--session", m_folder.file("hall.sedge"), "--resume"});
   EXPECT_EQ(simulated.code, 2);
   EXPECT_THAT(simulated.err, HasSubstr("begun on the bench 'magnet'"));
-  const auto other = alone("--resume --yes", {}, EmulatedFieldDesk::benchJson(true, false));
+  const auto other = alone("--resume --yes", {}, EmulatedFieldDesk::benchJson(true, ""));
   EXPECT_EQ(other.code, 2);
   EXPECT_THAT(other.err, HasSubstr("other instruments or other settings"));
   EXPECT_EQ(campaign().rows.size(), 1U);
