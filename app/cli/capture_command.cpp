@@ -1,5 +1,6 @@
 #include "app/cli/capture_command.h"
 
+#include "app/cli/capture_options.h"
 #include "app/cli/field_capture_command.h"
 
 #include <map>
@@ -16,14 +17,8 @@ void addCaptureCommand(CLI::App& program, std::function<void(std::function<Resul
   CLI::App* angle = capture->add_subcommand("angle", "Angle sensor against a reference encoder");
   const auto request = std::make_shared<CaptureRequest>();
 
-  angle->add_option("--bench", request->bench, "Bench: simulated, the name of a saved bench, or its file")
-      ->required()
-      ->type_name("NAME");
-  angle->add_option("--session", request->session, "Session file (.sedge) to write")->required()->type_name("FILE");
-  angle->add_option("--csv", request->csv, "Also write the sweep as CSV (- for standard output)")->type_name("FILE");
-  angle->add_flag("--resume", request->resume, "Go on with the sweep that the session holds");
+  addCaptureOptions(*angle, *request, "sweep", "sensor");
   angle->add_flag("--verification", request->verification, "A fresh sweep to verify with, beside the calibration's");
-  angle->add_flag("--real-time", request->realTime, "Let the simulated bench take the time a real one takes");
 
   angle->add_option("--points", request->points, "Points per turn (64)")->group("Plan");
   angle->add_option("--turns", request->turns, "Turns (1)")->group("Plan");
@@ -36,8 +31,6 @@ void addCaptureCommand(CLI::App& program, std::function<void(std::function<Resul
       ->group("Plan");
   angle->add_option("--pairing-age", request->pairingMaxAgeS, "Greatest age of a reading that is paired, s (0.1)")
       ->group("Plan");
-  angle->add_option("--retries", request->retries, "Times to ask again after a time-out (2)")->group("Plan");
-  angle->add_option("--wait", request->waitS, "Seconds to wait for an instrument that was unplugged (600)");
   angle->add_option("--rate", request->rateHz, "Sample at this rate while the shaft turns, in Hz")->group("Plan");
 
   const std::map<std::string, devices::FieldGeometry> geometries = {{"on-axis", devices::FieldGeometry::OnAxis},
@@ -53,11 +46,6 @@ void addCaptureCommand(CLI::App& program, std::function<void(std::function<Resul
   angle->add_option("--hysteresis", request->hysteresisDeg, "Half the loop's width, degrees (0.05)")->group(group);
   angle->add_option("--bits", request->sensorBits, "Resolution of the sensor; 0 for none (14)")->group(group);
   angle->add_option("--mounting", request->mountingDeg, "Encoder angle of the sensor's zero (80)")->group(group);
-
-  group = "Traceability";
-  angle->add_option("--serial", request->serial, "Serial number of the sensor")->type_name("TEXT")->group(group);
-  angle->add_option("--device-model", request->deviceModel, "Model of the sensor")->type_name("TEXT")->group(group);
-  angle->add_option("--operator", request->operatorName, "Who captures")->type_name("TEXT")->group(group);
 
   angle->callback([request, onChosen = std::move(onChosen)] { onChosen([request] { return runCapture(*request); }); });
 }

@@ -1,12 +1,11 @@
 #include "app/cli/capture_run.h"
 
-#include "app/cli/capture_watch.h"
+#include "app/cli/bench_run.h"
 #include "core/angle/session_sweep.h"
 #include "core/angle/sweep_csv.h"
 #include "core/base/file_output.h"
 #include "core/base/number_text.h"
 #include "core/session/session.h"
-#include "devices/bench/opened_bench.h"
 #include "devices/capture/angle_capture.h"
 #include "devices/simulated/simulated_settings_json.h"
 
@@ -15,6 +14,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -81,37 +81,6 @@ Result<void> checkSettings(const devices::SimulatedAngleSettings& settings) {
   return {};
 }
 
-/// The bench by its name: the simulated one, or a saved one with its instruments.
-struct AngleBenchSource {
-  std::optional<devices::SavedBench> saved; ///< none: simulated
-  std::unique_ptr<devices::SimulatedAngleBench> simulated;
-  std::unique_ptr<devices::OpenedBench> real;
-
-  bool opened() const { return saved.has_value(); }
-  devices::PairingRule pairing() const { return saved ? saved->pairing : devices::PairingRule{}; }
-
-  Result<void> openInstruments() {
-    if (!saved) {
-      return {};
-    }
-    auto done = devices::OpenedBench::open(*saved, devices::readProfiles(devices::userProfileFolder()));
-    if (!done) {
-      return std::unexpected(std::move(done.error()));
-    }
-    real = *std::move(done);
-    auto roles = real->angleBench();
-    return roles ? Result<void>{} : std::unexpected(std::move(roles.error()));
-  }
-
-  Result<devices::AngleBench> bench(const devices::SimulatedAngleSettings& settings) {
-    if (real) {
-      return real->angleBench();
-    }
-    simulated = std::make_unique<devices::SimulatedAngleBench>(settings);
-    return simulated->bench();
-  }
-};
-
 /// Everything that is settled before the first move.
 struct PreparedRun {
   std::unique_ptr<session::Session> session;
@@ -139,7 +108,7 @@ Result<devices::AnglePlan> storedPlan(const session::Session& session, SweepRole
   return devices::planFromJson(json.at("plan").get<std::string>());
 }
 
-Result<PreparedRun> prepareResumed(const CaptureRequest& request, SweepRole role) {
+Result<PreparedRun> prepareResumed(const CaptureRequest& request, SweepRole role, const BenchSource& source) {
   auto opened = session::Session::open(request.session);
   if (!opened) {
     return std::unexpected(std::move(opened.error()));
@@ -150,6 +119,9 @@ Result<PreparedRun> prepareResumed(const CaptureRequest& request, SweepRole role
     return std::unexpected(std::move(plan.error()));
   }
   run.plan = *plan;
+  if (auto same = source.checkSame(*run.session, role); !same) {
+    return std::unexpected(std::move(same.error()));
+  }
   if (withOptions(run.plan, request) != run.plan) {
     return fail(ErrorKind::Usage, "the sweep was begun with another plan",
                 "leave the plan's options out to go on with it", request.session);
@@ -218,32 +190,23 @@ Result<PreparedRun> prepareNew(const CaptureRequest& request, SweepRole role, co
 }
 
 Result<void> describe(PreparedRun& run, const CaptureRequest& request, SweepRole role, const devices::AngleBench& bench,
-                      const AngleBenchSource& source) {
-  auto traceability = run.session->traceability();
-  if (!traceability) {
-    return std::unexpected(std::move(traceability.error()));
-  }
-  const auto set = [](std::string& field, const std::string& value) { field = value.empty() ? field : value; };
-  set(traceability->deviceSerial, request.serial);
-  set(traceability->deviceModel, request.deviceModel);
-  set(traceability->operatorName, request.operatorName);
-  const devices::InstrumentIdentity encoder = bench.reference->identity();
-  set(traceability->reference.model, encoder.model);
-  set(traceability->reference.serial, encoder.serial);
+                      const BenchSource& source) {
+  CaptureTraceability known{.device = {}, .reference = bench.reference->identity(), .ambientC = {}};
   if (bench.thermometer != nullptr) {
     const auto ambient = bench.thermometer->readC();
     if (!ambient) {
       return std::unexpected(ambient.error());
     }
-    traceability->ambientC = ambient->value;
+    known.ambientC = ambient->value;
   }
-  if (auto set1 = run.session->setTraceability(*traceability); !set1) {
-    return set1;
+  if (auto stored = storeTraceability(*run.session, request, known); !stored) {
+    return stored;
   }
-  if (role == SweepRole::Calibration && run.already.empty()) {
-    auto noted = source.opened()
-                     ? run.session->setDocument("bench", devices::benchToJson(*source.saved))
-                     : run.session->setDocument("simulated-bench", devices::simulatedSettingsToJson(run.settings));
+  if (run.already.empty()) {
+    auto noted = source.note(*run.session, role);
+    if (noted && source.isSimulated() && role == SweepRole::Calibration) {
+      noted = run.session->setDocument("simulated-bench", devices::simulatedSettingsToJson(run.settings));
+    }
     if (!noted) {
       return noted;
     }
@@ -252,25 +215,6 @@ Result<void> describe(PreparedRun& run, const CaptureRequest& request, SweepRole
     return noted;
   }
   return writeRecord(*run.session, role, run.plan, bench.name, false);
-}
-
-Result<void> outcomeOf(const devices::CaptureProgress& progress, const std::string& session) {
-  using devices::CaptureState;
-  const std::string goOn = "go on with --resume";
-  if (progress.error) {
-    Error error = *progress.error;
-    if (error.kind == ErrorKind::Instrument) {
-      error.remedy += (error.remedy.empty() ? "" : ", or ") + goOn;
-    }
-    return std::unexpected(std::move(error));
-  }
-  if (progress.state == CaptureState::Finished) {
-    return {};
-  }
-  return fail(ErrorKind::Cancelled,
-              "stopped after " + std::to_string(progress.pointsDone) + " of " + std::to_string(progress.pointsPlanned) +
-                  " points; everything taken is stored",
-              goOn, session);
 }
 
 Result<void> writeResults(const PreparedRun& run, const CaptureRequest& request, SweepRole role) {
@@ -284,35 +228,27 @@ Result<void> writeResults(const PreparedRun& run, const CaptureRequest& request,
   return writeFileWhole(request.csv, angle::sweepToCsv(angle::sweepFromSamples(*samples)));
 }
 
-} // namespace
-
-Result<void> runCapture(const CaptureRequest& request) {
-  AngleBenchSource source;
-  if (request.bench != "simulated") {
-    auto saved = devices::readBench(request.bench);
-    if (!saved) {
-      return std::unexpected(std::move(saved.error()));
-    }
-    source.saved = *std::move(saved);
-  }
-  CaptureWatch watch(request.waitS); // before any thread is started; libusb starts one
-  // Before there is a session: without its bench it would only be in the way of the next try.
-  if (auto opened = source.openInstruments(); !opened) {
-    return opened;
-  }
+Result<void> captureOn(BenchSource& source, CaptureWatch& watch, const CaptureRequest& request) {
   if (auto checked = checkSettings(withOptions(devices::SimulatedAngleSettings{}, request)); !checked) {
     return checked;
   }
   const SweepRole role = request.verification ? SweepRole::Verification : SweepRole::Calibration;
-  auto run = request.resume ? prepareResumed(request, role) : prepareNew(request, role, source.pairing());
+  std::optional<Result<devices::AngleBench>> bench;
+  if (source.instruments() != nullptr) {
+    bench = source.instruments()->angleBench(); // before there is a session: without them it would only be in the way
+    if (!*bench) {
+      return std::unexpected(bench->error());
+    }
+  }
+  auto run = request.resume ? prepareResumed(request, role, source) : prepareNew(request, role, source.pairing());
   if (!run) {
     return std::unexpected(std::move(run.error()));
   }
-  const auto bench = source.bench(run->settings);
+  std::optional<devices::SimulatedAngleBench> simulated;
   if (!bench) {
-    return std::unexpected(bench.error());
+    bench = simulated.emplace(run->settings).bench();
   }
-  if (auto described = describe(*run, request, role, *bench, source); !described) {
+  if (auto described = describe(*run, request, role, **bench, source); !described) {
     return described;
   }
   devices::CaptureProgress progress;
@@ -321,15 +257,15 @@ Result<void> runCapture(const CaptureRequest& request) {
     if (!sink) {
       return std::unexpected(std::move(sink.error()));
     }
-    devices::AngleCapture capture(*bench, **sink);
+    devices::AngleCapture capture(**bench, **sink);
     if (auto started = capture.start(run->plan, run->already); !started) {
       return started;
     }
     progress = watch.follow(capture);
   }
-  Result<void> outcome = outcomeOf(progress, request.session);
+  Result<void> outcome = captureOutcome(progress, request.session, "points");
   if (outcome) {
-    outcome = writeRecord(*run->session, role, run->plan, bench->name, true);
+    outcome = writeRecord(*run->session, role, run->plan, (*bench)->name, true);
   }
   if (outcome) {
     outcome = writeResults(*run, request, role);
@@ -342,6 +278,13 @@ Result<void> runCapture(const CaptureRequest& request) {
       << request.session << ": " << progress.pointsPlanned << " points, "
       << run->already.size() + static_cast<std::size_t>(progress.samples) << " samples\n";
   return {};
+}
+
+} // namespace
+
+Result<void> runCapture(const CaptureRequest& request) {
+  return runOnBench(request,
+                    [&request](BenchSource& source, CaptureWatch& watch) { return captureOn(source, watch, request); });
 }
 
 } // namespace straightedge::cli

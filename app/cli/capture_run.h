@@ -1,6 +1,7 @@
 // Captures an angle sweep into a session file.
 #pragma once
 
+#include "app/cli/capture_options.h"
 #include "core/base/error.h"
 #include "devices/simulated/simulated_angle_bench.h"
 
@@ -9,14 +10,9 @@
 
 namespace straightedge::cli {
 
-/// Options of `capture angle`; what was not given is empty and takes the default, or on --resume what the session says.
-struct CaptureRequest {
-  std::string bench;
-  std::string session;
-  std::string csv; ///< also write the sweep there; "-" is standard output
-  bool resume = false;
+/// Options of `capture angle`.
+struct CaptureRequest : CaptureOptions {
   bool verification = false;
-  bool realTime = false;
   // Plan
   std::optional<int> points;
   std::optional<int> turns;
@@ -27,8 +23,6 @@ struct CaptureRequest {
   std::optional<double> rateHz;
   std::optional<std::string> pairing; ///< "as-read" or "interpolate"; else what the bench says
   std::optional<double> pairingMaxAgeS;
-  std::optional<int> retries;
-  double waitS = 600.0; ///< for an instrument that was unplugged
   // Simulated bench
   std::optional<unsigned long long> seed;
   std::optional<devices::FieldGeometry> geometry;
@@ -37,10 +31,6 @@ struct CaptureRequest {
   std::optional<double> hysteresisDeg;
   std::optional<int> sensorBits;
   std::optional<double> mountingDeg;
-  // Traceability
-  std::string serial;
-  std::string deviceModel;
-  std::string operatorName;
 };
 
 /// Runs the capture to its end, with progress on a terminal. Everything taken is committed whatever happens.

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <ctime>
 #include <iostream>
-#include <poll.h>
 #include <string>
 #include <unistd.h>
 
@@ -34,8 +33,8 @@ CaptureWatch::CaptureWatch(double waitS) : m_onTerminal(::isatty(STDERR_FILENO) 
 
 CaptureWatch::~CaptureWatch() { pthread_sigmask(SIG_SETMASK, &m_before, nullptr); }
 
-template <typename Capture, typename Show>
-auto CaptureWatch::followUntilDone(Capture& capture, const Show& showProgress) {
+template <typename Capture, typename Look>
+auto CaptureWatch::followUntilDone(Capture& capture, const Look& look) {
   long patienceNs = firstLookNs;
   for (;;) {
     const auto progress = capture.progress();
@@ -47,8 +46,8 @@ auto CaptureWatch::followUntilDone(Capture& capture, const Show& showProgress) {
       capture.waitUntilDone();
       return progress;
     }
-    if (m_onTerminal) {
-      showProgress(progress);
+    if (look(progress)) {
+      patienceNs = firstLookNs;
     }
     capture.takeNewSamples(); // nobody draws them here
     const timespec patience{0, patienceNs};
@@ -67,21 +66,26 @@ devices::CaptureProgress CaptureWatch::follow(devices::AngleCapture& capture) {
       line += ", " + std::to_string(std::lround(std::ceil(*progress.remainingS))) + " s left";
     }
     show(line);
+    return false;
   });
 }
 
 devices::FieldCaptureProgress CaptureWatch::follow(devices::FieldCapture& capture,
-                                                   const std::vector<std::string>& titles) {
-  return followUntilDone(capture, [&](const devices::FieldCaptureProgress& progress) {
-    if (!progress.waitingFor.empty()) {
-      show("Please " + progress.waitingFor + ", then press Enter");
-      pollfd typed{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
-      char ignored = 0;
-      if (::poll(&typed, 1, 0) > 0 && ::read(STDIN_FILENO, &ignored, 1) == 1) {
+                                                   const std::vector<std::string>& titles, PersonPrompt prompt) {
+  std::string unanswered;
+  auto ended = followUntilDone(capture, [&](const devices::FieldCaptureProgress& progress) {
+    if (!progress.waitingFor.empty() && unanswered.empty()) {
+      wipe();
+      const PersonPrompt::Answer answer = prompt.ask(progress.waitingFor);
+      if (answer == PersonPrompt::Answer::Done) {
         capture.confirm();
+      } else if (answer == PersonPrompt::Answer::NobodyThere) {
+        unanswered = progress.waitingFor;
+        capture.stop();
       }
-      return;
+      return answer != PersonPrompt::Answer::NotYet;
     }
+    prompt.withdraw();
     std::string line = std::to_string(progress.pointsDone) + " of " + std::to_string(progress.pointsPlanned) +
                        " plateaus and sweeps, " + std::to_string(progress.samples) + " rows";
     if (progress.stage >= 0 && static_cast<std::size_t>(progress.stage) < titles.size()) {
@@ -91,7 +95,16 @@ devices::FieldCaptureProgress CaptureWatch::follow(devices::FieldCapture& captur
       line += ", about " + std::to_string(std::lround(std::ceil(*progress.remainingS / 60.0))) + " min left";
     }
     show(line);
+    return false;
   });
+  if (!unanswered.empty() && !ended.error) {
+    ended.error =
+        Error{ErrorKind::Usage,
+              "nobody confirmed on standard input: " + unanswered + "; everything taken is stored",
+              "run it on a terminal, or give --yes where a script does what is asked, and go on with --resume",
+              {}};
+  }
+  return ended;
 }
 
 bool CaptureWatch::waitsFor(const devices::CaptureProgress& progress) {
@@ -111,6 +124,9 @@ bool CaptureWatch::waitsFor(const devices::CaptureProgress& progress) {
 }
 
 void CaptureWatch::show(const std::string& line) {
+  if (!m_onTerminal) {
+    return;
+  }
   std::cerr << "\r" << line << "\x1b[K" << std::flush;
   m_shown = true;
 }
@@ -118,6 +134,7 @@ void CaptureWatch::show(const std::string& line) {
 void CaptureWatch::wipe() {
   if (m_shown) {
     std::cerr << "\r\x1b[K" << std::flush;
+    m_shown = false;
   }
 }
 

@@ -1,6 +1,7 @@
 // Follows a capture from the main thread: progress on a terminal, and a clean end on SIGINT or SIGTERM.
 #pragma once
 
+#include "app/cli/person_prompt.h"
 #include "devices/capture/angle_capture.h"
 #include "devices/capture/field_capture.h"
 
@@ -25,14 +26,17 @@ public:
   /// Blocks until the sweep has ended; a fault of an instrument ends it too, except that one that was unplugged is
   /// waited for. The error, if any, is in the result.
   devices::CaptureProgress follow(devices::AngleCapture& capture);
-  /// Likewise. `titles` are the stages'. What a person is to do is asked for on a terminal and confirmed with Enter.
-  devices::FieldCaptureProgress follow(devices::FieldCapture& capture, const std::vector<std::string>& titles);
+  /// Likewise. `titles` are the stages'. What a person is to do is asked for through `prompt`; where nobody is there
+  /// the capture is stopped, and that is the error (Usage).
+  devices::FieldCaptureProgress follow(devices::FieldCapture& capture, const std::vector<std::string>& titles,
+                                       PersonPrompt prompt);
 
 private:
-  template <typename Capture, typename Show>
-  auto followUntilDone(Capture& capture, const Show& show);
+  /// `look` is called with each progress; true: something was done, look again soon.
+  template <typename Capture, typename Look>
+  auto followUntilDone(Capture& capture, const Look& look);
   bool waitsFor(const devices::CaptureProgress& progress);
-  void show(const std::string& line);
+  void show(const std::string& line); ///< on a terminal only
   void wipe();
 
   sigset_t m_signals{};

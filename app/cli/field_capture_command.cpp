@@ -1,5 +1,6 @@
 #include "app/cli/field_capture_command.h"
 
+#include "app/cli/capture_options.h"
 #include "app/cli/field_capture_run.h"
 
 #include <memory>
@@ -10,14 +11,14 @@ namespace straightedge::cli {
 void addFieldCapture(CLI::App& capture, std::function<void(std::function<Result<void>()>)> onChosen) {
   CLI::App* field = capture.add_subcommand("field", "Three-axis teslameter against a reference field");
   const auto request = std::make_shared<FieldCaptureRequest>();
-  field->add_option("--bench", request->bench, "Bench: simulated")->required()->type_name("NAME");
-  field->add_option("--session", request->session, "Session file (.sedge) to write")->required()->type_name("FILE");
-  field->add_option("--csv", request->csv, "Also write the campaign as CSV (- for standard output)")->type_name("FILE");
-  field->add_flag("--resume", request->resume, "Go on with the campaign that the session holds");
-  field->add_flag("--real-time", request->realTime, "Let the simulated bench take the time a real one takes");
+  addCaptureOptions(*field, *request, "campaign", "teslameter");
+  field->add_flag("--yes", request->yes,
+                  "Take all that a person is asked to do as done at once: for scripts that set the field themselves");
 
   const char* group = "Plan";
-  field->add_option("--stages", request->stages, "Steps to measure: nonlinearity,probe-temperature,offset,… (all)")
+  field
+      ->add_option("--stages", request->stages,
+                   "Steps to measure: nonlinearity,probe-temperature,offset,… (all that the bench can)")
       ->delimiter(',')
       ->type_name("LIST")
       ->group(group);
@@ -51,11 +52,6 @@ void addFieldCapture(CLI::App& capture, std::function<void(std::function<Result<
       ->group(group);
   field->add_option("--probe-lag", request->probeLagS, "Lag of the probe behind its chamber, seconds (12)")
       ->group(group);
-
-  group = "Traceability";
-  field->add_option("--serial", request->serial, "Serial number of the teslameter")->type_name("TEXT")->group(group);
-  field->add_option("--device-model", request->deviceModel, "Model of the teslameter")->type_name("TEXT")->group(group);
-  field->add_option("--operator", request->operatorName, "Who captures")->type_name("TEXT")->group(group);
 
   field->callback(
       [request, onChosen = std::move(onChosen)] { onChosen([request] { return runFieldCapture(*request); }); });

@@ -1,19 +1,21 @@
 #include "app/cli/field_capture_run.h"
 
-#include "app/cli/capture_watch.h"
+#include "app/cli/bench_run.h"
+#include "app/cli/field_capture_plan.h"
 #include "core/base/file_output.h"
 #include "core/base/number_text.h"
 #include "core/field/campaign_csv.h"
-#include "core/field/names.h"
 #include "core/field/session_campaign.h"
 #include "core/session/session.h"
 #include "devices/simulated/simulated_field_bench.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace straightedge::cli {
@@ -21,52 +23,6 @@ namespace straightedge::cli {
 namespace {
 
 constexpr auto role = session::SweepRole::Calibration;
-
-bool changesPlan(const FieldCaptureRequest& request) {
-  return !request.stages.empty() || !request.axes.empty() || !request.fieldsT.empty() ||
-         !request.temperaturesC.empty() || request.rows || request.sweepRows || request.rowS || request.settleS ||
-         request.temperatureSettleS || request.lockTimeoutS;
-}
-
-Result<devices::FieldPlan> planOf(const FieldCaptureRequest& request) {
-  devices::FieldPlanShape shape;
-  for (const std::string& name : request.stages) {
-    const auto step = field::parseStep(name);
-    if (!step) {
-      std::string known;
-      for (const auto each : field::allSteps) {
-        known += (known.empty() ? "" : ", ") + std::string(field::stepName(each));
-      }
-      return fail(ErrorKind::Usage, "--stages: there is no step '" + name + "'", "choose from " + known);
-    }
-    shape.steps.push_back(*step);
-  }
-  for (const std::string& name : request.axes) {
-    const auto axis = field::parseAxis(name);
-    if (!axis) {
-      return fail(ErrorKind::Usage, "--axes: there is no axis '" + name + "'", "choose from x, y, z");
-    }
-    shape.axes.push_back(*axis);
-  }
-  if (!request.fieldsT.empty()) {
-    shape.fieldsT = request.fieldsT;
-  }
-  if (request.temperaturesC.size() == 2) {
-    shape.lowC = request.temperaturesC[0];
-    shape.highC = request.temperaturesC[1];
-  }
-  shape.rows = request.rows;
-  shape.sweepRows = request.sweepRows;
-  shape.rowS = request.rowS;
-  shape.settleS = request.settleS;
-  shape.temperatureSettleS = request.temperatureSettleS;
-  shape.lockTimeoutS = request.lockTimeoutS;
-  devices::FieldPlan plan = devices::makeFieldPlan(shape);
-  if (auto checked = devices::checkPlan(plan); !checked) {
-    return std::unexpected(std::move(checked.error()));
-  }
-  return plan;
-}
 
 Result<devices::SimulatedFieldSettings> withOptions(devices::SimulatedFieldSettings settings,
                                                     const FieldCaptureRequest& request) {
@@ -101,9 +57,9 @@ struct PreparedFieldRun {
   std::vector<session::FieldSample> already;
 };
 
-Result<void> writeRecord(session::Session& session, const devices::FieldPlan& plan, bool finished) {
-  const nlohmann::json record = {
-      {"plan", devices::planToJson(plan)}, {"finished", finished}, {"bench", "Simulated bench"}};
+Result<void> writeRecord(session::Session& session, const devices::FieldPlan& plan, const std::string& bench,
+                         bool finished) {
+  const nlohmann::json record = {{"plan", devices::planToJson(plan)}, {"finished", finished}, {"bench", bench}};
   return session.setDocument("capture", record.dump());
 }
 
@@ -141,7 +97,7 @@ Result<void> readStored(PreparedFieldRun& run, const FieldCaptureRequest& reques
   return {};
 }
 
-Result<PreparedFieldRun> prepareResumed(const FieldCaptureRequest& request) {
+Result<PreparedFieldRun> prepareResumed(const FieldCaptureRequest& request, const BenchSource& source) {
   if (changesPlan(request)) {
     return fail(ErrorKind::Usage, "a campaign is resumed with the plan it was begun with",
                 "leave the plan's options out to go on with it", request.session);
@@ -154,6 +110,9 @@ Result<PreparedFieldRun> prepareResumed(const FieldCaptureRequest& request) {
   if (auto read = readStored(run, request); !read) {
     return std::unexpected(std::move(read.error()));
   }
+  if (auto same = source.checkSame(*run.session, role); !same) {
+    return std::unexpected(std::move(same.error()));
+  }
   auto settings = withOptions(run.settings, request);
   if (!settings) {
     return std::unexpected(std::move(settings.error()));
@@ -165,8 +124,10 @@ Result<PreparedFieldRun> prepareResumed(const FieldCaptureRequest& request) {
   return run;
 }
 
-Result<PreparedFieldRun> prepareNew(const FieldCaptureRequest& request) {
-  auto plan = planOf(request);
+/// `instruments`: of a saved bench; null for the simulated one, which has everything.
+Result<PreparedFieldRun> prepareNew(const FieldCaptureRequest& request, const BenchSource& source,
+                                    const devices::FieldBench* instruments) {
+  auto plan = requestedPlan(request);
   auto settings = withOptions({}, request);
   if (!plan || !settings) {
     return std::unexpected(!plan ? plan.error() : settings.error());
@@ -176,57 +137,45 @@ Result<PreparedFieldRun> prepareNew(const FieldCaptureRequest& request) {
     return fail(ErrorKind::Storage, "the file exists already", "give --resume to go on with it, or choose another name",
                 request.session);
   }
+  if (instruments != nullptr) {
+    if (auto fits = fitToBench(*plan, *instruments, !request.stages.empty()); !fits) {
+      return std::unexpected(std::move(fits.error()));
+    }
+  }
   auto created = session::Session::create(request.session, session::SessionKind::Field);
   if (!created) {
     return std::unexpected(std::move(created.error()));
   }
   PreparedFieldRun run{
       .session = *std::move(created), .plan = *std::move(plan), .settings = *std::move(settings), .already = {}};
-  if (auto set = run.session->setDocument("simulated-bench", devices::simulatedFieldSettingsToJson(run.settings));
-      !set) {
-    return std::unexpected(std::move(set.error()));
+  auto noted = source.note(*run.session, role);
+  if (noted && source.isSimulated()) {
+    noted = run.session->setDocument("simulated-bench", devices::simulatedFieldSettingsToJson(run.settings));
   }
-  if (auto set = run.session->setDocument("plan", devices::planToJson(run.plan)); !set) {
-    return std::unexpected(std::move(set.error()));
+  if (noted) {
+    noted = run.session->setDocument("plan", devices::planToJson(run.plan));
+  }
+  if (!noted) {
+    return std::unexpected(std::move(noted.error()));
   }
   return run;
 }
 
-Result<void> describe(PreparedFieldRun& run, const FieldCaptureRequest& request, const devices::FieldBench& bench) {
-  auto traceability = run.session->traceability();
-  if (!traceability) {
-    return std::unexpected(std::move(traceability.error()));
+Result<void> describe(PreparedFieldRun& run, const FieldCaptureRequest& request, const devices::FieldBench& bench,
+                      const BenchSource& source) {
+  CaptureTraceability known;
+  if (bench.reference != nullptr) {
+    known.reference = bench.reference->identity();
   }
-  const auto set = [](std::string& entry, const std::string& value) { entry = value.empty() ? entry : value; };
-  set(traceability->deviceSerial, request.serial);
-  set(traceability->deviceModel, request.deviceModel);
-  set(traceability->operatorName, request.operatorName);
-  const devices::InstrumentIdentity reference = bench.reference->identity();
-  set(traceability->reference.model, reference.model);
-  set(traceability->reference.serial, reference.serial);
-  traceability->ambientC = run.settings.roomC;
-  if (auto stored = run.session->setTraceability(*traceability); !stored) {
+  if (source.isSimulated()) {
+    known.ambientC = run.settings.roomC;
+  } else {
+    known.device = bench.probe->identity();
+  }
+  if (auto stored = storeTraceability(*run.session, request, known); !stored) {
     return stored;
   }
-  return writeRecord(*run.session, run.plan, false);
-}
-
-Result<void> outcomeOf(const devices::FieldCaptureProgress& progress, const std::string& session) {
-  const std::string goOn = "go on with --resume";
-  if (progress.error) {
-    Error error = *progress.error;
-    if (error.kind == ErrorKind::Instrument) {
-      error.remedy += (error.remedy.empty() ? "" : ", or ") + goOn;
-    }
-    return std::unexpected(std::move(error));
-  }
-  if (progress.state == devices::CaptureState::Finished) {
-    return {};
-  }
-  return fail(ErrorKind::Cancelled,
-              "stopped after " + std::to_string(progress.pointsDone) + " of " + std::to_string(progress.pointsPlanned) +
-                  " plateaus and sweeps; everything taken is stored",
-              goOn, session);
+  return writeRecord(*run.session, run.plan, bench.name, false);
 }
 
 Result<void> writeCsv(const PreparedFieldRun& run, const FieldCaptureRequest& request) {
@@ -247,8 +196,9 @@ Result<void> writeCsv(const PreparedFieldRun& run, const FieldCaptureRequest& re
 void tellWhatIsNext(const FieldCaptureRequest& request, const PreparedFieldRun& run,
                     const devices::FieldCaptureProgress& progress) {
   std::ostream& out = request.csv == "-" ? std::cerr : std::cout;
-  out << request.session << ": " << run.plan.stages.size() << " stages, " << progress.pointsPlanned
-      << " plateaus and sweeps, " << run.already.size() + static_cast<std::size_t>(progress.samples) << " rows\n";
+  const auto stages = std::ranges::count(run.plan.stages, false, &devices::FieldStage::skipped);
+  out << request.session << ": " << stages << " stages, " << progress.pointsPlanned << " plateaus and sweeps, "
+      << run.already.size() + static_cast<std::size_t>(progress.samples) << " rows\n";
   for (std::size_t i = 0; i < progress.stages.size(); ++i) {
     if (progress.stages[i].pointsGivenUp > 0) {
       out << "stage '" << devices::stageTitle(run.plan.stages[i]) << "': the reference did not lock at "
@@ -258,19 +208,24 @@ void tellWhatIsNext(const FieldCaptureRequest& request, const PreparedFieldRun& 
   out << "next: straightedge-cli field fit " << request.session << " --out DIR\n";
 }
 
-} // namespace
-
-Result<void> runFieldCapture(const FieldCaptureRequest& request) {
-  if (request.bench != "simulated") {
-    return fail(ErrorKind::Instrument, "there is no bench named '" + request.bench + "'", "give --bench simulated");
+Result<void> captureOn(BenchSource& source, CaptureWatch& watch, const FieldCaptureRequest& request) {
+  std::optional<devices::FieldBench> bench;
+  if (source.instruments() != nullptr) {
+    auto roles = source.instruments()->fieldBench();
+    if (!roles) {
+      return std::unexpected(std::move(roles.error()));
+    }
+    bench = *std::move(roles);
   }
-  auto run = request.resume ? prepareResumed(request) : prepareNew(request);
+  auto run = request.resume ? prepareResumed(request, source) : prepareNew(request, source, bench ? &*bench : nullptr);
   if (!run) {
     return std::unexpected(std::move(run.error()));
   }
-  CaptureWatch watch; // before any thread is started
-  devices::SimulatedFieldBench bench(run->settings);
-  if (auto described = describe(*run, request, bench.bench()); !described) {
+  std::optional<devices::SimulatedFieldBench> simulated;
+  if (!bench) {
+    bench = simulated.emplace(run->settings).bench();
+  }
+  if (auto described = describe(*run, request, *bench, source); !described) {
     return described;
   }
   std::vector<std::string> titles;
@@ -283,15 +238,15 @@ Result<void> runFieldCapture(const FieldCaptureRequest& request) {
     if (!sink) {
       return std::unexpected(std::move(sink.error()));
     }
-    devices::FieldCapture capture(bench.bench(), **sink);
+    devices::FieldCapture capture(*bench, **sink);
     if (auto started = capture.start(run->plan, run->already); !started) {
       return started;
     }
-    progress = watch.follow(capture, titles);
+    progress = watch.follow(capture, titles, PersonPrompt(request.yes));
   }
-  Result<void> outcome = outcomeOf(progress, request.session);
+  Result<void> outcome = captureOutcome(progress, request.session, "plateaus and sweeps");
   if (outcome) {
-    outcome = writeRecord(*run->session, run->plan, true);
+    outcome = writeRecord(*run->session, run->plan, bench->name, true);
   }
   if (outcome) {
     outcome = writeCsv(*run, request);
@@ -302,6 +257,13 @@ Result<void> runFieldCapture(const FieldCaptureRequest& request) {
   }
   tellWhatIsNext(request, *run, progress);
   return {};
+}
+
+} // namespace
+
+Result<void> runFieldCapture(const FieldCaptureRequest& request) {
+  return runOnBench(request,
+                    [&request](BenchSource& source, CaptureWatch& watch) { return captureOn(source, watch, request); });
 }
 
 } // namespace straightedge::cli

@@ -1,6 +1,7 @@
 // Captures a field campaign into a session file.
 #pragma once
 
+#include "app/cli/capture_options.h"
 #include "core/base/error.h"
 
 #include <optional>
@@ -9,13 +10,9 @@
 
 namespace straightedge::cli {
 
-/// Options of `capture field`; what was not given is empty and takes the default, or on --resume what the session says.
-struct FieldCaptureRequest {
-  std::string bench;
-  std::string session;
-  std::string csv; ///< also write the campaign there; "-" is standard output
-  bool resume = false;
-  bool realTime = false;
+/// Options of `capture field`.
+struct FieldCaptureRequest : CaptureOptions {
+  bool yes = false; ///< what a person is asked to do is taken as done at once
   // Plan
   std::vector<std::string> stages;
   std::vector<std::string> axes;
@@ -32,16 +29,12 @@ struct FieldCaptureRequest {
   std::optional<double> noiseT;
   std::optional<double> planarHallPerT;
   std::optional<double> probeLagS;
-  // Traceability
-  std::string serial;
-  std::string deviceModel;
-  std::string operatorName;
 };
 
 /// Runs the capture to its end, with progress on a terminal. Everything taken is committed whatever happens.
 /// Errors: Usage (plan, file exists), Input and Storage (session), Instrument (the campaign can be resumed), Cancelled
-/// (interrupted by SIGINT or SIGTERM; the campaign can be resumed). Call from the main thread, before others are
-/// started.
+/// (interrupted by SIGINT or SIGTERM; the campaign can be resumed), Usage also where nobody is there to do what a stage
+/// asks for. Call from the main thread, before others are started.
 Result<void> runFieldCapture(const FieldCaptureRequest& request);
 
 } // namespace straightedge::cli

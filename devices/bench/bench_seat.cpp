@@ -43,11 +43,17 @@ struct BenchSeat::Roles {
     BenchSeat* seat = nullptr;
     InstrumentIdentity identity() const override { return seat->m_identity; }
     Result<TimedReading> readDeg() override { return seat->ask(&Instrument::angleReference, &AngleReference::readDeg); }
+    std::optional<double> incrementDeg() const override { return seat->m_incrementDeg; }
+    int timesOpened() const override {
+      const std::lock_guard turn(seat->m_turn);
+      return seat->m_opened;
+    }
   } reference;
   struct Probe : FieldProbe {
     BenchSeat* seat = nullptr;
     InstrumentIdentity identity() const override { return seat->m_identity; }
     Result<FieldReading> readT() override { return seat->ask(&Instrument::fieldProbe, &FieldProbe::readT); }
+    bool measuresElectronics() const override { return seat->m_measuresElectronics; }
   } probe;
   struct Field : FieldReference {
     BenchSeat* seat = nullptr;
@@ -97,7 +103,8 @@ Result<std::unique_ptr<BenchSeat>> BenchSeat::make(BenchInstrument wanted, const
   }
   seat->m_name += asked.serial.empty() ? " at " + asked.port : ", serial " + asked.serial;
   for (const InstrumentRole role : asked.roles) {
-    if (std::ranges::find(canFill, role) == canFill.end()) {
+    const InstrumentRole kind = role == InstrumentRole::ChamberTemperature ? InstrumentRole::Temperature : role;
+    if (std::ranges::find(canFill, kind) == canFill.end()) {
       return fail(ErrorKind::Input, seat->m_name + " cannot fill the role " + std::string(roleWord(role)),
                   "give the role to another instrument", "bench");
     }
@@ -239,6 +246,9 @@ Result<void> BenchSeat::open(const DeviceLister& list) {
   m_identity.model = m_identity.model.empty() ? m_name : m_identity.model;
   m_instrument = std::move(instrument);
   m_knowsSign = m_instrument->fieldReference() != nullptr && m_instrument->fieldReference()->knowsSign();
+  m_measuresElectronics = m_instrument->fieldProbe() != nullptr && m_instrument->fieldProbe()->measuresElectronics();
+  m_incrementDeg =
+      m_instrument->angleReference() != nullptr ? m_instrument->angleReference()->incrementDeg() : std::nullopt;
   m_gone = false;
   ++m_opened;
   return {};
@@ -329,6 +339,10 @@ ResistanceMeter* BenchSeat::resistanceMeter() {
 }
 Thermometer* BenchSeat::thermometer() {
   const bool can = fills(InstrumentRole::Temperature) && m_instrument && m_instrument->thermometer() != nullptr;
+  return can ? &m_roles->temperature : nullptr;
+}
+Thermometer* BenchSeat::chamberThermometer() {
+  const bool can = fills(InstrumentRole::ChamberTemperature) && m_instrument && m_instrument->thermometer() != nullptr;
   return can ? &m_roles->temperature : nullptr;
 }
 

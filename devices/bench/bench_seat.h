@@ -57,6 +57,7 @@ public:
   FieldReference* fieldReference();
   ResistanceMeter* resistanceMeter();
   Thermometer* thermometer();
+  Thermometer* chamberThermometer();
 
   /// Sends bytes as they are, for a console, and returns what came back: nothing where no answer came. A message
   /// without a question mark (USBTMC) is not answered. Errors (Instrument): not there, the transport's.
@@ -94,6 +95,8 @@ private:
   int m_opened = 0; ///< times that it was opened and set up
   InstrumentIdentity m_identity;
   bool m_knowsSign = false;
+  bool m_measuresElectronics = false;
+  std::optional<double> m_incrementDeg;
   bool m_gone = false;
   std::optional<TransportFault> m_lastFault;
   std::unique_ptr<Roles> m_roles;

@@ -69,6 +69,7 @@ Result<FieldBench> OpenedBench::fieldBench() {
   bench.reference = filled(&BenchSeat::fieldReference);
   bench.pt100 = filled(&BenchSeat::resistanceMeter);
   bench.electronics = filled(&BenchSeat::thermometer);
+  bench.chamber = filled(&BenchSeat::chamberThermometer);
   bench.clock = &m_clock;
   bench.connection = this;
   if (bench.probe == nullptr) {

@@ -24,7 +24,8 @@ std::vector<InstrumentRole> benchRoles(ProfileJson& json, const ProfileNode& nod
     const auto role = roleFromWord(word);
     if (!role) {
       json.blame(item, "is '" + word + "' and no role",
-                 "use angle-sensor, angle-reference, field-probe, field-reference, resistance or temperature");
+                 "use angle-sensor, angle-reference, field-probe, field-reference, resistance, temperature or "
+                 "chamber-temperature");
     } else if (!taken.insert(*role).second) {
       json.blame(item, "is the role " + word + " a second time", "give each role to one instrument");
     } else {

@@ -32,6 +32,9 @@ Result<CaptureCourse> CaptureCourse::make(const AnglePlan& plan, const std::vect
       state.farthestDeg = state.readings == 0 ? into : std::max(state.farthestDeg, into);
       ++state.readings;
     }
+    if (sample.sequence >= course.nextSequence) {
+      course.lastAlready = sample;
+    }
     course.nextSequence = std::max(course.nextSequence, sample.sequence + 1);
     course.timeOffsetS = std::max(course.timeOffsetS, sample.timeS);
   }

@@ -41,8 +41,9 @@ public:
   void sectorDone(int index);
   void redo(int index); ///< next, as a further attempt; ignored where there is no such point
 
-  std::int64_t nextSequence = 0; ///< number of the next sample
-  double timeOffsetS = 0.0;      ///< time of the last sample already there
+  std::int64_t nextSequence = 0;                   ///< number of the next sample
+  double timeOffsetS = 0.0;                        ///< time of the last sample already there
+  std::optional<session::AngleSample> lastAlready; ///< that sample
 
 private:
   struct State {

@@ -23,7 +23,12 @@ constexpr int pairTries = 20;
 
 CaptureWorker::CaptureWorker(AngleBench bench, session::SampleSink& sink, CaptureCourse course, CaptureShared& shared)
     : CaptureLoop(*bench.clock, shared, bench.connection, course.plan().retries), m_bench(std::move(bench)),
-      m_sink(sink), m_course(std::move(course)), m_shared(shared), m_doneAtStart(m_course.done()) {}
+      m_sink(sink), m_course(std::move(course)), m_shared(shared), m_zero(*m_bench.reference),
+      m_doneAtStart(m_course.done()) {
+  if (m_course.lastAlready) {
+    m_zero.takeUp(*m_course.lastAlready);
+  }
+}
 
 void CaptureWorker::takeRequests() {
   const std::scoped_lock lock(m_shared.mutex);
@@ -34,7 +39,36 @@ void CaptureWorker::takeRequests() {
 }
 
 CaptureWorker::Step<void> CaptureWorker::measureNext() {
+  if (auto sure = confirmZero(); !sure) {
+    return sure;
+  }
   return m_course.plan().sampleRateHz > 0.0 ? measureRun(*m_course.nextRun()) : measurePoint(*m_course.next());
+}
+
+CaptureWorker::Step<void> CaptureWorker::confirmZero() {
+  if (!m_zero.inDoubt()) {
+    return {};
+  }
+  const auto encoder = fromInstrument(m_bench.reference->readDeg(), "encoder");
+  if (!encoder) {
+    return std::unexpected(encoder.error());
+  }
+  const auto sensor = fromInstrument(m_bench.sensor->readDeg(), "sensor");
+  if (!sensor) {
+    return std::unexpected(sensor.error());
+  }
+  if (auto lost = m_zero.compare(encoder->value, sensor->value)) {
+    return std::unexpected(instrumentFault(*std::move(lost), "encoder"));
+  }
+  return {};
+}
+
+CaptureWorker::Step<TimedReading> CaptureWorker::readEncoder() {
+  auto reading = fromInstrument(m_bench.reference->readDeg(), "encoder");
+  if (reading) {
+    m_zero.seen(reading->value);
+  }
+  return reading;
 }
 
 CaptureWorker::Step<void> CaptureWorker::measurePoint(int index) {
@@ -86,7 +120,7 @@ CaptureWorker::Step<void> CaptureWorker::readOnce(int index, std::optional<doubl
 }
 
 CaptureWorker::Step<StreamedAngle> CaptureWorker::readAsRead() {
-  const auto encoder = fromInstrument(m_bench.reference->readDeg(), "encoder");
+  const auto encoder = readEncoder();
   if (!encoder) {
     return std::unexpected(encoder.error());
   }
@@ -103,7 +137,7 @@ CaptureWorker::Step<StreamedAngle> CaptureWorker::readInterpolated() {
   auto sensor = fromInstrument(m_bench.sensor->readDeg(), "sensor");
   for (int i = 0; sensor && i < pairTries; ++i) {
     pairing.addSensor(*sensor);
-    const auto encoder = fromInstrument(m_bench.reference->readDeg(), "encoder");
+    const auto encoder = readEncoder();
     if (!encoder) {
       return std::unexpected(encoder.error());
     }
@@ -266,7 +300,7 @@ CaptureWorker::Step<void> CaptureWorker::waitForHand(const PlannedPoint& point) 
   const double tolerance = m_course.stepDeg() / 4.0;
   std::optional<double> before;
   for (;;) {
-    const auto reading = fromInstrument(m_bench.reference->readDeg(), "encoder");
+    const auto reading = readEncoder();
     if (!reading) {
       return std::unexpected(reading.error());
     }
@@ -297,6 +331,7 @@ CaptureWorker::Step<void> CaptureWorker::store(std::vector<session::AngleSample>
   if (auto appended = fromSink(m_sink.append(samples)); !appended) {
     return appended;
   }
+  m_zero.stored(samples.back());
   samplesAppended();
   m_samples += static_cast<std::int64_t>(samples.size());
   m_shared.queue.push(std::move(samples));

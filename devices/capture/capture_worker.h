@@ -5,6 +5,7 @@
 #include "devices/capture/capture_course.h"
 #include "devices/capture/capture_loop.h"
 #include "devices/capture/live_queue.h"
+#include "devices/capture/reference_zero.h"
 
 #include <optional>
 #include <vector>
@@ -29,6 +30,8 @@ private:
   double timeOffsetS() const override { return m_course.timeOffsetS; }
   void fillProgress(CaptureProgress& progress) override;
 
+  Step<void> confirmZero();
+  Step<TimedReading> readEncoder();
   Step<void> measurePoint(int index);
   Step<void> readOnce(int index, std::optional<double> temperatureC);
   Step<StreamedAngle> readAsRead();
@@ -44,6 +47,7 @@ private:
   session::SampleSink& m_sink;
   CaptureCourse m_course;
   CaptureShared& m_shared;
+  ReferenceZero m_zero;
   int m_doneAtStart = 0;
   std::optional<double> m_standsAtDeg; ///< where the stage was sent last; unknown at first and after a pause
   int m_cameFrom = 0;                  ///< direction of that move

@@ -93,8 +93,11 @@ void FieldCapture::stop() { m_impl->thread.request_stop(); }
 
 void FieldCapture::confirm() {
   const std::scoped_lock lock(m_impl->shared.mutex);
-  m_impl->shared.confirmed = !m_impl->shared.waitingFor.empty();
-  m_impl->shared.changed.notify_all();
+  if (!m_impl->shared.waitingFor.empty()) {
+    m_impl->shared.confirmed = true;
+    m_impl->shared.waitingFor.clear(); // at once: what is asked for next is confirmed by its own
+    m_impl->shared.changed.notify_all();
+  }
 }
 
 void FieldCapture::redo(int stage) {

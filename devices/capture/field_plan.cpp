@@ -18,6 +18,7 @@ using field::CampaignStep;
 constexpr int mostRows = 1000000;
 constexpr int mostCycles = 100;
 constexpr double longestS = 86400.0;
+constexpr int mostRepeats = 100; // of a reading, after time-outs
 constexpr double largestFieldT = 30.0;
 constexpr double coldestC = -50.0;
 constexpr double hottestC = 150.0;
@@ -236,6 +237,7 @@ Result<void> checkPlan(const FieldPlan& plan) {
        {inRange("the settling time", plan.settleS, 0.0, longestS, " s"),
         inRange("the settling time of temperatures", plan.temperatureSettleS, 0.0, longestS, " s"),
         inRange("the time to wait for lock", plan.lockTimeoutS, 0.1, longestS, " s"),
+        inRange("the number of retries", plan.retries, 0, mostRepeats, ""),
         inRange("the reference temperature", plan.referenceTemperatureC, coldestC, hottestC, " °C")}) {
     if (!checked) {
       return checked;

@@ -239,7 +239,7 @@ CaptureLoop::Step<void> FieldWorker::measureSweep(FieldTask task) {
   if (chamber == nullptr) {
     if (auto begun = askFor("begin to sweep " + std::string(ofProbe ? "the probe" : "the electronics") + " from " +
                             formatForPeople(stage.lowC) + " to " + formatForPeople(stage.highC) + " °C and back, " +
-                            std::to_string(stage.cycles) + " times");
+                            (stage.cycles == 1 ? "once" : std::to_string(stage.cycles) + " times"));
         !begun) {
       return begun;
     }
@@ -332,8 +332,9 @@ CaptureLoop::Step<void> FieldWorker::fillTemperatures(const FieldReading& readin
     }
     sample.electronicsC = electronics->value;
   }
-  if (withChamber && m_bench.probeChamber != nullptr) {
-    const auto chamber = fromInstrument(m_bench.probeChamber->readC(), "chamber");
+  if (withChamber && (m_bench.probeChamber != nullptr || m_bench.chamber != nullptr)) {
+    const auto chamber = fromInstrument(
+        m_bench.probeChamber != nullptr ? m_bench.probeChamber->readC() : m_bench.chamber->readC(), "chamber");
     if (!chamber) {
       return std::unexpected(chamber.error());
     }

@@ -38,6 +38,12 @@ public:
   virtual ~AngleReference() = default;
   virtual InstrumentIdentity identity() const = 0;
   virtual Result<TimedReading> readDeg() = 0; ///< unwrapped: exceeds 360 over several turns
+
+  /// Where its zero is where it was switched on (an incremental encoder), or where that is not known: degrees of one
+  /// count, 0 if that is not known either. None: it knows its angle by itself, also after it was without power.
+  virtual std::optional<double> incrementDeg() const { return std::nullopt; }
+  /// Grows each time that it was opened and set up again: it may have been without power before.
+  virtual int timesOpened() const { return 1; }
 };
 
 /// Turns the shaft. Absent on a bench that is turned by hand. Thread: the capture thread only.

@@ -49,7 +49,12 @@ const std::vector<SettingDescription>& asciiBoardSettings() {
       {"temperature_column", "Field with a temperature", "", "its number in the line, where there is one, in °C"},
       {"latency_s", "Latency in seconds", "0", "the time from measuring to printing, 0 to 10 s"},
       {"deadline_s", "Longest wait in seconds", "2", "more than the time between two lines, 0.01 to 600 s"},
-      {"unwrap", "Count turns", "yes", "yes where a reference prints 0 to 360 over several turns", {"yes", "no"}}};
+      {"unwrap", "Count turns", "yes", "yes where a reference prints 0 to 360 over several turns", {"yes", "no"}},
+      {"keeps_zero",
+       "Keeps its zero without power",
+       "no",
+       "yes where a reference is an absolute encoder, no where it counts from where it was switched on",
+       {"yes", "no"}}};
   return all;
 }
 
@@ -76,6 +81,7 @@ Result<std::unique_ptr<Instrument>> AsciiBoard::make(Transport& transport, Bench
   options.latencyS = reader.number("latency_s", 0.0, 10.0);
   options.deadline = Milliseconds{static_cast<int>(1000.0 * reader.number("deadline_s", 0.01, 600.0))};
   options.unwrap = reader.yes("unwrap");
+  options.keepsZero = reader.yes("keeps_zero");
   if (reader.problem()) {
     return std::unexpected(*reader.problem());
   }

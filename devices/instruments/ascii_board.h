@@ -18,7 +18,8 @@ struct AsciiBoardOptions {
   LineFormat format; ///< column 0: the angle in degrees; column 1, where there is one: a temperature in °C
   double latencyS = 0.0;
   Milliseconds deadline{2000};
-  bool unwrap = false; ///< as a reference: the board knows one turn only
+  bool unwrap = false;    ///< as a reference: the board knows one turn only
+  bool keepsZero = false; ///< as a reference: it knows its angle also after it was without power
 };
 
 class AsciiBoard : public Instrument, public AngleSensor, public Thermometer, public ReadingStream {
@@ -48,6 +49,9 @@ private:
     explicit Reference(AsciiBoard& board) : m_board(board) {}
     InstrumentIdentity identity() const override { return m_board.identity(); }
     Result<TimedReading> readDeg() override;
+    std::optional<double> incrementDeg() const override {
+      return m_board.m_options.keepsZero ? std::nullopt : std::optional(0.0);
+    }
 
   private:
     AsciiBoard& m_board;

@@ -45,6 +45,7 @@ struct FieldBench {
   FieldReference* reference = nullptr;              ///< stages with a reference need it
   ResistanceMeter* pt100 = nullptr;                 ///< optional
   Thermometer* electronics = nullptr;               ///< optional; else what the probe says of itself
+  Thermometer* chamber = nullptr;                   ///< optional: in the probe's chamber, where that has no driver
   FieldMagnet* magnet = nullptr;                    ///< optional
   ProbeCarrier* carrier = nullptr;                  ///< optional
   TemperatureChamber* probeChamber = nullptr;       ///< optional: temperature sweeps of the probe

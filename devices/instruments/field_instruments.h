@@ -23,6 +23,7 @@ public:
   virtual ~FieldProbe() = default;
   virtual InstrumentIdentity identity() const = 0;
   virtual Result<FieldReading> readT() = 0;
+  virtual bool measuresElectronics() const { return false; } ///< its readings carry electronicsC
 };
 
 /// One measurement of the reference. Not locked (or not in range) is an answer, not an error: then there is no value.

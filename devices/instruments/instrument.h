@@ -24,11 +24,12 @@ enum class InstrumentRole : std::uint8_t {
   FieldProbe,
   FieldReference,
   Resistance,
-  Temperature
+  Temperature,       ///< of the surroundings; on a field bench of the teslameter's electronics
+  ChamberTemperature ///< of the chamber around a field probe; whatever fills Temperature can fill it
 };
 
-/// "angle-sensor", "angle-reference", "field-probe", "field-reference", "resistance", "temperature": in profiles, saved
-/// benches and on the command line.
+/// "angle-sensor", "angle-reference", "field-probe", "field-reference", "resistance", "temperature",
+/// "chamber-temperature": in profiles (but the last), saved benches and on the command line.
 std::string_view roleWord(InstrumentRole role);
 std::optional<InstrumentRole> roleFromWord(std::string_view word);
 

@@ -10,12 +10,14 @@ namespace {
 
 using Role = InstrumentRole;
 
-constexpr std::array<std::pair<Role, std::string_view>, 6> roleWords = {{{Role::AngleSensor, "angle-sensor"},
-                                                                         {Role::AngleReference, "angle-reference"},
-                                                                         {Role::FieldProbe, "field-probe"},
-                                                                         {Role::FieldReference, "field-reference"},
-                                                                         {Role::Resistance, "resistance"},
-                                                                         {Role::Temperature, "temperature"}}};
+constexpr std::array<std::pair<Role, std::string_view>, 7> roleWords = {
+    {{Role::AngleSensor, "angle-sensor"},
+     {Role::AngleReference, "angle-reference"},
+     {Role::FieldProbe, "field-probe"},
+     {Role::FieldReference, "field-reference"},
+     {Role::Resistance, "resistance"},
+     {Role::Temperature, "temperature"},
+     {Role::ChamberTemperature, "chamber-temperature"}}};
 
 } // namespace
 

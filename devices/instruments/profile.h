@@ -23,7 +23,8 @@ struct ProfileReading {
   std::vector<std::string> setUp; ///< sent before the first reading, and again after a reading of another role
   Milliseconds deadline{2000};
   double latencyS = 0.0;
-  LineFormat format; ///< columns in the role's unit: degrees, tesla, ohms, °C; three of them for a field probe
+  bool keepsZero = false; ///< an angle reference that knows its angle also after it was without power
+  LineFormat format;      ///< columns in the role's unit: degrees, tesla, ohms, °C; three of them for a field probe
   std::shared_ptr<const std::regex>
       regex;                          ///< may be null. Its groups are the columns, in place of separators and labels
   std::vector<std::string> noReading; ///< replies that contain one of these say that there is no reading

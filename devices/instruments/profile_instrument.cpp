@@ -37,6 +37,7 @@ public:
   explicit ReferenceRole(ProfileInstrument& owner) : m_owner(owner) {}
   InstrumentIdentity identity() const override;
   Result<TimedReading> readDeg() override;
+  std::optional<double> incrementDeg() const override;
   void restart() { m_unwrap.restart(); }
 
 private:
@@ -104,6 +105,11 @@ public:
   Result<void> stop() override;
 
   Result<Answer> answer(Role role);
+  bool keepsZero() const {
+    return std::ranges::any_of(m_profile.readings, [](const ProfileReading& reading) {
+      return reading.role == Role::AngleReference && reading.keepsZero;
+    });
+  }
   /// One value; no reading is an error.
   Result<TimedReading> value(Role role);
 
@@ -289,6 +295,10 @@ InstrumentIdentity ReferenceRole::identity() const { return m_owner.identity(); 
 InstrumentIdentity ProbeRole::identity() const { return m_owner.identity(); }
 InstrumentIdentity FieldReferenceRole::identity() const { return m_owner.identity(); }
 InstrumentIdentity ResistanceRole::identity() const { return m_owner.identity(); }
+
+std::optional<double> ReferenceRole::incrementDeg() const {
+  return m_owner.keepsZero() ? std::nullopt : std::optional(0.0);
+}
 
 Result<TimedReading> SensorRole::readDeg() {
   auto reading = m_owner.value(Role::AngleSensor);

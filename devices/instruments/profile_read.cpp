@@ -51,6 +51,7 @@ std::string_view baseUnit(Role role) {
   case Role::Resistance:
     return "ohm";
   case Role::Temperature:
+  case Role::ChamberTemperature:
     return "C";
   }
   return "";
@@ -211,7 +212,7 @@ ProfileReading ProfileBuilder::reading(const ProfileNode& node) {
   }
   const std::string word = m_json.requiredText(node, "role");
   const auto role = roleFromWord(word);
-  if (!role) {
+  if (!role || *role == Role::ChamberTemperature) { // which temperature it is, is the bench's to say
     m_json.blame(node.member("role"), "is no role",
                  "use angle-sensor, angle-reference, field-probe, field-reference, resistance or temperature");
     return reading;
@@ -221,6 +222,7 @@ ProfileReading ProfileBuilder::reading(const ProfileNode& node) {
   reading.setUp = m_json.texts(node, "set_up");
   reading.deadline = Milliseconds{static_cast<int>(1000.0 * m_json.number(node, "deadline_s", 2.0, 0.01, 600.0))};
   reading.latencyS = m_json.number(node, "latency_s", 0.0, 0.0, 60.0);
+  reading.keepsZero = m_json.truth(node, "keeps_zero", false);
   reading.noReading = m_json.texts(node, "no_reading");
   reading.format.separators = m_json.text(node, "separators", reading.format.separators);
   reading.format.prefix = m_json.text(node, "prefix", "");
@@ -307,7 +309,7 @@ const std::vector<ProfileKeys>& profileKeys() {
       {"identification", {"command", "contains"}},
       {"reading",
        {"comment", "role", "command", "set_up", "deadline_s", "latency_s", "separators", "decimal_point", "prefix",
-        "fields", "regex", "no_reading", "columns"}},
+        "fields", "regex", "no_reading", "keeps_zero", "columns"}},
       {"column",
        {"quantity", "field", "label", "suffix", "suffix_needed", "unit", "scale", "offset", "least", "most"}}};
   return all;

@@ -29,6 +29,7 @@ public:
   InstrumentIdentity identity() const override { return m_identity; }
   std::optional<TransportFault> lastFault() const override { return m_talk.lastFault(); }
   AngleReference* angleReference() override { return this; }
+  std::optional<double> incrementDeg() const override { return m_degPerCount; } ///< it counts from its last reset
   ReadingStream* angleReadings() override { return this; }
 
   Result<TimedReading> readDeg() override;

@@ -36,6 +36,7 @@ public:
   FieldProbe* fieldProbe() override { return this; }
 
   Result<FieldReading> readT() override;
+  bool measuresElectronics() const override { return m_options.celsiusPerCount.has_value(); }
   const std::optional<Thm1176Reply>& lastReply() const { return m_lastReply; } ///< with stamp and temperature as sent
 
   /// Zeroes the probe in a zero-field chamber: about 6 s.

@@ -11,6 +11,7 @@ public:
   explicit SimulatedTeslameter(HallWorld& world) : m_world(world) {}
   InstrumentIdentity identity() const override { return {"Simulated Hall teslameter", "SIM-H", STRAIGHTEDGE_VERSION}; }
   Result<FieldReading> readT() override { return m_world.readProbe(); }
+  bool measuresElectronics() const override { return true; }
 
 private:
   HallWorld& m_world;

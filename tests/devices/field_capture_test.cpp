@@ -175,6 +175,7 @@ TEST_F(FieldCaptureTest, WaitsForAPersonWhereNobodyElsePlacesTheProbe) {
   EXPECT_TRUE(m_sink.committed().empty());
   bench.placeByHand(ProbePlacement::PlusX);
   capture.confirm();
+  EXPECT_NE(capture.progress().waitingFor, "place the probe with its +x axis along the field") << "no longer asked for";
   ASSERT_TRUE(
       eventually([&] { return capture.progress().waitingFor == "place the probe with its -x axis along the field"; }));
   EXPECT_EQ(capture.progress().stages.at(0).pointsDone, 3);

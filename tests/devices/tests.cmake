@@ -6,6 +6,7 @@ straightedge_add_test(NAME devices_simulated
 
 straightedge_add_test(NAME devices_capture
   SOURCES devices/capture_control_test.cpp devices/capture_test.cpp
+    devices/reference_zero_test.cpp
   LIBRARIES straightedge::devices
   LABELS devices threads)
 

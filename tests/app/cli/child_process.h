@@ -1,7 +1,9 @@
 // Runs the real straightedge-cli as a child process, as a shell would.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <sys/types.h>
 #include <vector>
 
 namespace straightedge::testing {
@@ -16,5 +18,10 @@ struct ChildResult {
 ChildResult runCli(const std::vector<std::string>& arguments, const std::string& input = {},
                    const std::string& program = STRAIGHTEDGE_BINARY_DIR "/straightedge-cli",
                    const std::vector<std::string>& environment = {});
+
+/// Who sits at the program: gets each line of its standard error as it comes, and its process; returns what is typed.
+using Attendant = std::function<std::string(const std::string& line, pid_t child)>;
+ChildResult runCliAttended(const std::vector<std::string>& arguments, const Attendant& attendant,
+                           const std::string& program = STRAIGHTEDGE_BINARY_DIR "/straightedge-cli");
 
 } // namespace straightedge::testing

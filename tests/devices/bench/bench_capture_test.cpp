@@ -35,6 +35,7 @@ std::string hex8(unsigned value) {
 struct Shaft {
   std::atomic<int> position = 0;
   int asked = 0;
+  int zeroCounts = 0; ///< of the encoder
 
   double angleDeg() const { return 360.0 / points * position; }
   void ask() {
@@ -59,8 +60,8 @@ std::shared_ptr<FtdiDevice> encoderReader(Shaft& shaft, int leavesAt) {
     const std::string kind = line.substr(0, 1) == "W" ? "w " : "r ";
     const std::string reg = line.substr(1, 2);
     unsigned data = 0;
-    if (line == "W0D1") { // the last of the set-up
-      shaft.asked = 0;
+    if (line == "W0D1") { // the last of the set-up; a capture that goes on first looks whether the zero is the old one
+      shaft.asked = shaft.position > 0 ? -1 : 0;
     } else if (line == "R14") {
       data = 0x12345009;
     } else if (line == "R0E") {
@@ -68,7 +69,7 @@ std::shared_ptr<FtdiDevice> encoderReader(Shaft& shaft, int leavesAt) {
       if (shaft.position == leavesAt && shaft.asked == 2) {
         raw->unplugAfter(4);
       }
-      data = static_cast<unsigned>(std::lround(shaft.angleDeg() / 360.0 * countsPerTurn));
+      data = static_cast<unsigned>(std::lround(shaft.angleDeg() / 360.0 * countsPerTurn) - shaft.zeroCounts);
     }
     return kind + reg + " " + hex8(data) + " 00000001 !\r\n";
   });
@@ -104,6 +105,22 @@ protected:
     return runCli({"capture", "angle", "--bench", benchFile(pairing), "--session", m_folder.file("sweep.sedge"),
                    "--csv", m_folder.file("sweep.csv"), "--points", std::to_string(points), "--settle", "0"});
   }
+  straightedge::testing::ChildResult resume() const {
+    return runCli({"capture", "angle", "--bench", benchFile("as-read"), "--session", m_folder.file("sweep.sedge"),
+                   "--csv", m_folder.file("sweep.csv"), "--resume"});
+  }
+  /// In the middle the encoder's reader is unplugged and comes back; `meanwhile` is done in between.
+  straightedge::testing::ChildResult captureWithReplug(const std::function<void()>& meanwhile) {
+    const auto first = m_bus.plug(encoderReader(m_shaft, points / 2), {.driver = "ftdi_sio"});
+    m_bus.plug(sensorBoard(m_shaft), {.driver = "cdc_acm"});
+    auto child = std::async(std::launch::async, [this] { return capture("as-read"); });
+    while (m_bus.isPlugged(first) && child.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready) {
+    }
+    EXPECT_FALSE(m_bus.isPlugged(first));
+    meanwhile();
+    m_bus.plug(encoderReader(m_shaft, -1), {.port = "7"}); // the same one, elsewhere
+    return child.get();
+  }
   void expectTheSweepFits() const {
     const std::string csv = m_folder.read("sweep.csv");
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), points + 1) << csv;
@@ -129,18 +146,58 @@ TEST_F(BenchCapture, ASweepFromAnEncoderReaderAndABoardArrivesAndFits) {
 }
 
 TEST_F(BenchCapture, UnpluggedInTheMiddleNothingIsLost) {
-  const auto first = m_bus.plug(encoderReader(m_shaft, points / 2), {.driver = "ftdi_sio"});
-  m_bus.plug(sensorBoard(m_shaft), {.driver = "cdc_acm"});
-  auto child = std::async(std::launch::async, [this] { return capture("as-read"); });
-  while (m_bus.isPlugged(first) && child.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready) {
-  }
-  ASSERT_FALSE(m_bus.isPlugged(first));
-  m_bus.plug(encoderReader(m_shaft, -1), {.port = "7"}); // the same one, elsewhere
-  const auto said = child.get();
+  const auto said = captureWithReplug([] {});
   ASSERT_EQ(said.code, 0) << said.err;
   EXPECT_THAT(said.err, HasSubstr("US Digital QSB encoder reader, serial FT-1"));
   EXPECT_THAT(said.err, HasSubstr("the capture waits for it"));
   expectTheSweepFits();
+}
+
+TEST_F(BenchCapture, AnEncoderThatLostItsZeroIsNotGoneOnWith) {
+  const auto lost = captureWithReplug([this] {
+    // Without power it begins to count where it stands.
+    m_shaft.zeroCounts = countsPerTurn / 2;
+  });
+  EXPECT_EQ(lost.code, 4);
+  EXPECT_THAT(lost.err, HasSubstr("the encoder reads 0.000° and read 180.0° before it was unplugged"));
+  EXPECT_THAT(lost.err, HasSubstr("begin the sweep again in a new session"));
+  const auto stored = [this] {
+    EXPECT_EQ(
+        runCli({"export", m_folder.file("sweep.sedge"), "--format", "csv", "--out", m_folder.file("kept.csv")}).code,
+        0);
+    return m_folder.read("kept.csv");
+  };
+  const std::string kept = stored();
+  EXPECT_EQ(std::count(kept.begin(), kept.end(), '\n'), 1 + points / 2) << "what was taken before, and nothing else";
+
+  const auto again = resume();
+  EXPECT_EQ(again.code, 4) << again.err;
+  EXPECT_THAT(again.err, HasSubstr("the sweep's last reading was at 165.0°"));
+  m_shaft.zeroCounts = -countsPerTurn / points; // turned until it shows 180°, and another zero all the same
+  m_shaft.position = points / 2 - 2;
+  const auto fooled = resume();
+  EXPECT_EQ(fooled.code, 3) << fooled.err;
+  EXPECT_THAT(fooled.err, HasSubstr("the encoder has another zero than before"));
+  EXPECT_EQ(stored(), kept);
+
+  m_shaft.zeroCounts = 0; // a reader that had kept its zero, turned back to where it was
+  m_shaft.position = points / 2 - 1;
+  const auto good = resume();
+  EXPECT_EQ(good.code, 0) << good.err;
+  expectTheSweepFits();
+}
+
+TEST_F(BenchCapture, DialoguesOfAnAngleCaptureAreRecorded) {
+  m_bus.plug(encoderReader(m_shaft, -1));
+  m_bus.plug(sensorBoard(m_shaft));
+  const auto said =
+      runCli({"capture", "angle", "--bench", benchFile("as-read"), "--session", m_folder.file("sweep.sedge"),
+              "--points", std::to_string(points), "--settle", "0", "--record-dialogue", m_folder.file("said")});
+  ASSERT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.err, HasSubstr("dialogues with the instruments: 2 files in " + m_folder.file("said")));
+  EXPECT_EQ(m_folder.listing("said"), "ascii-board-ACM-1.dialogue usdigital-qsb-FT-1.dialogue");
+  EXPECT_THAT(m_folder.read("said/usdigital-qsb-FT-1.dialogue"), HasSubstr("> R0E\\r\\n\n"));
+  EXPECT_THAT(m_folder.read("said/ascii-board-ACM-1.dialogue"), HasSubstr("straightedge-dialogue 1\n"));
 }
 
 TEST_F(BenchCapture, AnInstrumentThatIsNotPluggedInIsNamed) {

@@ -7,7 +7,8 @@ straightedge_add_test(NAME devices_bench
 # The real program as a child process on emulated instruments.
 straightedge_add_usb_test(NAME bench_cli
   SOURCES app/cli/child_process.cpp devices/bench/bench_capture_test.cpp
-    devices/bench/bench_cli_test.cpp
+    devices/bench/bench_cli_test.cpp devices/bench/emulated_field_desk.cpp
+    devices/bench/field_bench_capture_test.cpp
   LIBRARIES straightedge::core straightedge::devices nlohmann_json::nlohmann_json
   LABELS cli)
 add_dependencies(bench_cli straightedge-cli)

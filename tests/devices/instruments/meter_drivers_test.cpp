@@ -150,6 +150,15 @@ TEST(AsciiBoard, ColumnsUnitsAndTurns) {
   EXPECT_THAT(problemOf(AsciiBoard::make(line, clock, {{"unit", "count"}})), HasSubstr("counts_per_turn"));
 }
 
+TEST(AsciiBoard, AsAReferenceItsZeroIsLostWithThePowerUnlessTheSettingsKnowBetter) {
+  auto line = script({"x"});
+  SteppingClock clock;
+  EXPECT_EQ((*AsciiBoard::make(line, clock, {}))->angleReference()->incrementDeg(), 0.0) << "its step is not known";
+  const auto absolute = AsciiBoard::make(line, clock, {{"keeps_zero", "yes"}});
+  ASSERT_TRUE(absolute) << problemOf(absolute);
+  EXPECT_FALSE((*absolute)->angleReference()->incrementDeg());
+}
+
 TEST(AsciiBoard, AStreamLosesNothingAndCountsWhatIsNoReading) {
   auto line = script({"x", "< .5\\n1.5\\n2.5\\n3.", "!< timed-out", "< 5\\nnan\\n4.5\\n", "!< timed-out", "!< gone"});
   SteppingClock clock;

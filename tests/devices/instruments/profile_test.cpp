@@ -93,6 +93,27 @@ TEST(Profile, IsReadWhole) {
   EXPECT_FALSE(identifies(*profile, "ACME TM-2 v3"));
 }
 
+TEST(Profile, AReferenceSaysWhetherItKeepsItsZero) {
+  const auto incrementOf = [](const std::string& key) {
+    const auto profile = parseProfile(R"({"format": "straightedge-instrument", "version": 1, "name": "encoder",
+      "transports": [{"kind": "serial"}], "readings": [{"role": "angle-reference", "columns": {"field": 1})" +
+                                          key + "}]}",
+                                      "encoder.json");
+    EXPECT_TRUE(profile) << problemOf(profile);
+    auto line = script({"x"});
+    SteppingClock clock;
+    return makeProfileInstrument(line, clock, *profile)->angleReference()->incrementDeg();
+  };
+  EXPECT_EQ(incrementOf(""), 0.0) << "where the file does not say it is lost with the power";
+  EXPECT_EQ(incrementOf(R"(, "keeps_zero": false)"), 0.0);
+  EXPECT_EQ(incrementOf(R"(, "keeps_zero": true)"), std::nullopt);
+}
+
+TEST(Profile, WhichTemperatureItIsIsTheBenchsToSay) {
+  EXPECT_THAT(problemOf(parseProfile(profileText("\"temperature\"", "\"chamber-temperature\""), "a.json")),
+              HasSubstr("is no role"));
+}
+
 TEST(Profile, WhatIsWrongIsToldWithItsLine) {
   struct Case {
     const char* replaced;

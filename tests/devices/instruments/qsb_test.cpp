@@ -66,6 +66,14 @@ TEST(Qsb, CountsBecomeDegrees) {
   expectPlayed(line);
 }
 
+TEST(Qsb, ItsZeroIsWhereItWasSwitchedOn) {
+  auto line = script({"x"});
+  SteppingClock clock;
+  const auto made = Qsb::make(line, clock, {{"counts_per_turn", "10000"}});
+  ASSERT_TRUE(made) << problemOf(made);
+  EXPECT_EQ((*made)->angleReference()->incrementDeg(), 0.036);
+}
+
 TEST(Qsb, TheRegistersRolloverIsNoJump) {
   auto line = afterSetUp(
       {"> R0E\\r\\n", "< r 0E 7FFFFFFF 00000010 !\\r\\n", "> R0E\\r\\n", "< r 0E 80000001 00000020 !\\r\\n"});
