@@ -39,6 +39,7 @@ auto CaptureWatch::followUntilDone(Capture& capture, const Show& showProgress) {
   long patienceNs = firstLookNs;
   for (;;) {
     const auto progress = capture.progress();
+    tell(progress.note);
     if (!waitsFor(progress) && !isActive(progress)) {
       wipe();
       if (progress.state == devices::CaptureState::Paused) {
@@ -57,6 +58,14 @@ auto CaptureWatch::followUntilDone(Capture& capture, const Show& showProgress) {
     }
     patienceNs = std::min(2 * patienceNs, laterLookNs);
   }
+}
+
+void CaptureWatch::tell(const std::string& note) {
+  if (note != m_told && !note.empty()) {
+    wipe();
+    printNote(note);
+  }
+  m_told = note;
 }
 
 devices::CaptureProgress CaptureWatch::follow(devices::AngleCapture& capture) {

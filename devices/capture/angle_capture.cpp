@@ -15,7 +15,7 @@ Result<void> checkBench(const AngleBench& bench, const AnglePlan& plan) {
   if (bench.sensor == nullptr || bench.reference == nullptr || bench.clock == nullptr) {
     return fail(ErrorKind::Instrument, "the bench has no sensor or no encoder", "connect both", bench.name);
   }
-  if (plan.sampleRateHz > 0.0 && (bench.stage == nullptr || bench.stream == nullptr)) {
+  if (plan.sampleRateHz > 0.0 && bench.stream == nullptr) {
     return fail(ErrorKind::Usage, "this bench cannot sample while the shaft turns",
                 "set the sample rate to 0 to capture point by point", bench.name);
   }

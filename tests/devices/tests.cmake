@@ -5,7 +5,7 @@ straightedge_add_test(NAME devices_simulated
   LABELS devices)
 
 straightedge_add_test(NAME devices_capture
-  SOURCES devices/capture_control_test.cpp devices/capture_test.cpp
+  SOURCES devices/capture_control_test.cpp devices/capture_test.cpp devices/stream_capture_test.cpp
   LIBRARIES straightedge::devices
   LABELS devices threads)
 

@@ -38,6 +38,14 @@ int stationsOf(const devices::AnglePlan& plan) {
   return plan.pointsPerTurn * plan.turns * (plan.bothDirections ? 2 : 1);
 }
 
+QString noteSentence(const std::string& note) {
+  QString text = QString::fromStdString(note);
+  if (!text.isEmpty()) {
+    text = text.at(0).toUpper() + text.mid(1) + QLatin1Char('.');
+  }
+  return text;
+}
+
 } // namespace
 
 CapturePresenter::CapturePresenter(AngleDocument& document, BenchLink& bench, QObject* parent)
@@ -276,7 +284,7 @@ QString CapturePresenter::guidance() const {
   case Phase::Paused:
     return tr("Paused. Every reading so far is stored.");
   case Phase::Running:
-    return {};
+    return m_note;
   case Phase::Ready:
     break;
   }
@@ -312,6 +320,10 @@ std::span<const session::AngleSample> CapturePresenter::samplesFrom(int first) c
 
 void CapturePresenter::onProgress() {
   refreshPhase();
+  if (const QString note = noteSentence(m_bench.progress().note); note != m_note) {
+    m_note = note;
+    emit phaseChanged();
+  }
   emit progressChanged();
 }
 

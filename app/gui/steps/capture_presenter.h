@@ -90,6 +90,7 @@ private:
   qint64 m_readings = 0; ///< taken into m_trace
   Phase m_phase = Phase::NoBench;
   QString m_problem;
+  QString m_note; ///< of the running capture: what a person should know or do
 };
 
 } // namespace straightedge::gui

@@ -176,7 +176,7 @@ TEST(Profile, DrivesTheInstrument) {
   ASSERT_TRUE(prepared) << problemOf(prepared);
   EXPECT_EQ(made->identity().serial, "007");
   EXPECT_EQ(made->angleSensor(), nullptr);
-  EXPECT_EQ(made->angleReadings(), nullptr);
+  EXPECT_EQ(made->angleReadings(InstrumentRole::AngleSensor), nullptr);
   EXPECT_EQ(made->resistanceMeter(), nullptr);
   FieldReference* reference = made->fieldReference();
   Thermometer* thermometer = made->thermometer();
@@ -235,9 +235,9 @@ TEST(Profile, TheBoardsThatAreShipped) {
   const auto prepared = board->prepare();
   ASSERT_TRUE(prepared) << problemOf(prepared);
   EXPECT_DOUBLE_EQ(board->angleSensor()->readDeg().value().value, 270.0);
-  ASSERT_NE(board->angleReadings(), nullptr);
-  ASSERT_TRUE(board->angleReadings()->start());
-  EXPECT_EQ(board->angleReadings()->read().value().readings.size(), 2U);
+  ASSERT_NE(board->angleReadings(InstrumentRole::AngleSensor), nullptr);
+  ASSERT_TRUE(board->angleReadings(InstrumentRole::AngleSensor)->start());
+  EXPECT_EQ(board->angleReadings(InstrumentRole::AngleSensor)->read().value().readings.size(), 2U);
   expectPlayed(columns);
 
   auto labels = script({"x", "< 0.1\\nangle (normalized): 0.25\\tangle (rad): 1.5707963267948966\\n"});

@@ -41,6 +41,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadReply{"StallIn", UsbTmcFault::StallIn, TransportFault::Stalled, "refused"},
                     BadReply{"ShortHeader", UsbTmcFault::ShortHeader, TransportFault::Protocol, "5 bytes is shorter"},
                     BadReply{"WrongTag", UsbTmcFault::WrongTag, TransportFault::Protocol, "carries the tag"},
+                    BadReply{"WrongTagAlone", UsbTmcFault::WrongTagAlone, TransportFault::Protocol, "carries the tag"},
                     BadReply{"WrongInverse", UsbTmcFault::WrongInverse, TransportFault::Protocol, "carries the tag"},
                     BadReply{"WrongMessageId", UsbTmcFault::WrongMessageId, TransportFault::Protocol, "of kind 127"},
                     BadReply{"Babble", UsbTmcFault::Babble, TransportFault::Overflow, "sent more"},
