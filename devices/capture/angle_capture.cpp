@@ -4,6 +4,7 @@
 #include "devices/capture/capture_worker.h"
 
 #include <optional>
+#include <pthread.h>
 #include <thread>
 #include <utility>
 
@@ -32,7 +33,10 @@ struct AngleCapture::Impl {
       thread.join(); // has ended: it was not running
     }
     shared.begin();
-    thread = std::jthread([this](const std::stop_token& stop) { worker->run(stop); });
+    thread = std::jthread([this](const std::stop_token& stop) {
+      static_cast<void>(::pthread_setname_np(::pthread_self(), "capture")); // for debuggers and tests/bench
+      worker->run(stop);
+    });
   }
 
   AngleBench bench;

@@ -11,3 +11,9 @@ straightedge_add_usb_test(NAME bench_cli
   LIBRARIES straightedge::core straightedge::devices nlohmann_json::nlohmann_json
   LABELS cli)
 add_dependencies(bench_cli straightedge-cli)
+
+# Streams of benches that are open in the test's own process.
+straightedge_add_usb_test(NAME bench_streams
+  SOURCES devices/bench/bench_stream_test.cpp
+  LIBRARIES straightedge::core straightedge::devices
+  LABELS devices)

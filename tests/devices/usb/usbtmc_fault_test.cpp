@@ -139,6 +139,16 @@ TEST_F(UsbTmcFaults, StallsClearTheHaltOfTheirEndpointOnly) {
   expectNextQueryWorks();
 }
 
+TEST_F(UsbTmcFaults, AfterTooMuchTheEndpointIsClearedAndTheTransferAborted) {
+  plugInAndOpen();
+  expectNextQueryWorks(); // tags 1 to 4
+  m_device->fault(UsbTmcFault::Babble);
+  expectFault(query("ECHO? x"), TransportFault::Overflow);
+  EXPECT_EQ(m_device->haltsCleared(UsbTmcDevice::in), 1);
+  EXPECT_THAT(m_device->abortedTags(), ElementsAre(6));
+  expectNextQueryWorks();
+}
+
 class UsbTmcLeaves : public UsbTmcBench, public testing::WithParamInterface<UsbTmcFault> {};
 
 TEST_P(UsbTmcLeaves, IsGoneAndWorksAgainAfterItIsBackAnywhere) {
