@@ -246,6 +246,35 @@ TEST(Profile, TheBoardsThatAreShipped) {
   expectPlayed(labels);
 }
 
+TEST(Profile, SensorAndReferenceInTheSameLinesStreamTogether) {
+  Profile profile;
+  profile.name = "Board of both";
+  ProfileReading sensor;
+  sensor.format.columns = {{.quantity = "sensor", .index = 2, .label = {}, .unit = {}}};
+  ProfileReading reference = sensor;
+  reference.role = InstrumentRole::AngleReference;
+  reference.format.columns = {{.quantity = "encoder", .index = 1, .label = {}, .unit = {}, .scale = 0.5}};
+  profile.readings = {sensor, reference};
+  SteppingClock clock;
+  auto line = script({"x", "< 1\\n700,359\\n10,-1\\n", "!< timed-out"});
+  const auto board = makeProfileInstrument(line, clock, profile);
+  AngleStream* stream = board->angleStream();
+  ASSERT_NE(stream, nullptr);
+  ASSERT_TRUE(stream->start({}));
+  const auto block = stream->read();
+  ASSERT_TRUE(block) << problemOf(block);
+  ASSERT_EQ(block->samples.size(), 2U);
+  EXPECT_DOUBLE_EQ(block->samples[0].encoderDeg, 350.0);
+  EXPECT_DOUBLE_EQ(block->samples[1].encoderDeg, 365.0) << "unwrapped";
+  EXPECT_DOUBLE_EQ(block->samples[1].sensorDeg, 359.0);
+  expectPlayed(line);
+  EXPECT_NE(board->angleReadings(InstrumentRole::AngleReference), nullptr);
+
+  profile.readings[1].format.prefix = "E";
+  auto other = script({"x"});
+  EXPECT_EQ(makeProfileInstrument(other, clock, profile)->angleStream(), nullptr) << "lines of two kinds";
+}
+
 TEST(Profile, TheSchemaHasTheReadersKeys) {
   std::ifstream file(STRAIGHTEDGE_TEST_DATA "/../../resources/instruments/instrument.schema.json");
   const auto schema = nlohmann::json::parse(file);
