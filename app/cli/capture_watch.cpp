@@ -38,6 +38,7 @@ auto CaptureWatch::followUntilDone(Capture& capture, const Look& look) {
   long patienceNs = firstLookNs;
   for (;;) {
     const auto progress = capture.progress();
+    tell(progress.note);
     if (!waitsFor(progress) && !isActive(progress)) {
       wipe();
       if (progress.state == devices::CaptureState::Paused) {
@@ -56,6 +57,14 @@ auto CaptureWatch::followUntilDone(Capture& capture, const Look& look) {
     }
     patienceNs = std::min(2 * patienceNs, laterLookNs);
   }
+}
+
+void CaptureWatch::tell(const std::string& note) {
+  if (note != m_told && !note.empty()) {
+    wipe();
+    printNote(note);
+  }
+  m_told = note;
 }
 
 devices::CaptureProgress CaptureWatch::follow(devices::AngleCapture& capture) {

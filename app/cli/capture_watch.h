@@ -37,12 +37,14 @@ private:
   auto followUntilDone(Capture& capture, const Look& look);
   bool waitsFor(const devices::CaptureProgress& progress);
   void show(const std::string& line); ///< on a terminal only
+  void tell(const std::string& note); ///< once, whenever it changes
   void wipe();
 
   sigset_t m_signals{};
   sigset_t m_before{};
   bool m_onTerminal;
   bool m_shown = false;
+  std::string m_told;
   std::chrono::duration<double> m_patience;
   std::optional<std::chrono::steady_clock::time_point> m_waitsSince;
 };

@@ -22,6 +22,8 @@ void printLine(const std::string& text) { std::fputs((oneLine(text) + "\n").c_st
 
 void printError(const Error& error) { printLine("straightedge-cli: " + error.message()); }
 
+void printNote(std::string_view text) { printLine("straightedge-cli: " + std::string(text)); }
+
 void printWarning(std::string_view text) { printLine("straightedge-cli: warning: " + std::string(text)); }
 
 void print(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }

@@ -14,6 +14,9 @@ void printError(const Error& error);
 /// `straightedge-cli: warning: TEXT`
 void printWarning(std::string_view text);
 
+/// `straightedge-cli: TEXT`: what a person should know or do while the program runs
+void printNote(std::string_view text);
+
 /// Text on standard output; whether it arrived is checked at the end of the program.
 void print(std::string_view text);
 

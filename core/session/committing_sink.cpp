@@ -1,5 +1,6 @@
 #include "core/session/committing_sink.h"
 
+#include <pthread.h>
 #include <utility>
 
 namespace straightedge::session {
@@ -67,8 +68,10 @@ void SampleTable<FieldSample>::bind(Statement& statement, const FieldSample& sam
 
 template <typename Sample>
 CommittingSink<Sample>::CommittingSink(std::shared_ptr<Connection> connection, SweepRole role)
-    : m_connection(std::move(connection)), m_role(role),
-      m_thread([this](const std::stop_token& stop) { commitInTime(stop); }) {}
+    : m_connection(std::move(connection)), m_role(role), m_thread([this](const std::stop_token& stop) {
+        static_cast<void>(::pthread_setname_np(::pthread_self(), "session")); // for debuggers and tests/bench
+        commitInTime(stop);
+      }) {}
 
 template <typename Sample>
 CommittingSink<Sample>::~CommittingSink() {

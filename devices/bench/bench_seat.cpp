@@ -1,5 +1,6 @@
 #include "devices/bench/bench_seat.h"
 
+#include "core/base/number_text.h"
 #include "devices/instruments/profile_instrument.h"
 #include "devices/transport/recording_transport.h"
 #include "devices/transport/usb_serial_transport.h"
@@ -311,6 +312,36 @@ Result<std::string> BenchSeat::say(std::string_view bytes) {
     return std::unexpected(named(std::move(said.error().error)));
   }
   return *std::move(said);
+}
+
+ReadingStream* BenchSeat::angleReadings(InstrumentRole role) {
+  return fills(role) && isThere() ? m_instrument->angleReadings(role) : nullptr;
+}
+
+AngleStream* BenchSeat::angleStream() {
+  const bool both = fills(InstrumentRole::AngleSensor) && fills(InstrumentRole::AngleReference);
+  return both && isThere() ? m_instrument->angleStream() : nullptr;
+}
+
+std::unexpected<Error> BenchSeat::streamFault(Error error) {
+  const std::lock_guard turn(m_turn);
+  m_lastFault = m_instrument->lastFault();
+  m_gone = m_gone || m_lastFault == TransportFault::Gone;
+  return std::unexpected(named(std::move(error)));
+}
+
+std::unexpected<Error> BenchSeat::silent(double seconds) {
+  const std::lock_guard turn(m_turn);
+  m_lastFault = TransportFault::TimedOut;
+  return fail(ErrorKind::Instrument, "nothing that is a reading came for " + formatForPeople(seconds, 3) + " s",
+              "check the cable, the instrument's power and what it prints", m_name);
+}
+
+std::unexpected<Error> BenchSeat::absent() {
+  const std::lock_guard turn(m_turn);
+  m_gone = true;
+  m_lastFault = TransportFault::Gone;
+  return notThere();
 }
 
 bool BenchSeat::fills(InstrumentRole role) const {

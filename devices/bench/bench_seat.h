@@ -63,6 +63,14 @@ public:
   /// without a question mark (USBTMC) is not answered. Errors (Instrument): not there, the transport's.
   Result<std::string> say(std::string_view bytes);
 
+  /// What streams by itself, of the instrument that is there now; null where it does not, or is gone. For BenchStream,
+  /// which tells faults by the three members below: they remember the transport's fault and name the instrument.
+  ReadingStream* angleReadings(InstrumentRole role);
+  AngleStream* angleStream(); ///< where it fills both roles
+  std::unexpected<Error> streamFault(Error error);
+  std::unexpected<Error> silent(double seconds); ///< a time-out
+  std::unexpected<Error> absent();
+
   /// Of the last reading, as BenchConnection::lastFault().
   std::optional<TransportFault> lastFault() const;
   void forgetFault();

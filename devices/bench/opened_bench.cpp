@@ -26,13 +26,15 @@ Result<std::unique_ptr<OpenedBench>> OpenedBench::open(const SavedBench& bench, 
 }
 
 template <typename Role>
+BenchSeat* OpenedBench::seatOf(Role* (BenchSeat::*role)()) const {
+  const auto found = std::ranges::find_if(m_seats, [&](const auto& seat) { return (seat.get()->*role)() != nullptr; });
+  return found == m_seats.end() ? nullptr : found->get();
+}
+
+template <typename Role>
 Role* OpenedBench::filled(Role* (BenchSeat::*role)()) {
-  for (const auto& seat : m_seats) {
-    if (Role* found = (seat.get()->*role)()) {
-      return found;
-    }
-  }
-  return nullptr;
+  BenchSeat* seat = seatOf(role);
+  return seat == nullptr ? nullptr : (seat->*role)();
 }
 
 std::unexpected<Error> OpenedBench::unfilled(InstrumentRole role) const {
@@ -59,6 +61,10 @@ Result<AngleBench> OpenedBench::angleBench() {
   if (bench.reference == nullptr) {
     return unfilled(InstrumentRole::AngleReference);
   }
+  if (!m_stream) { // one for all that ask: a capture may run on it
+    m_stream = BenchStream::make(seatOf(&BenchSeat::angleReference), seatOf(&BenchSeat::angleSensor), m_clock);
+  }
+  bench.stream = m_stream.get();
   return bench;
 }
 

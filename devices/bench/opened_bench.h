@@ -2,6 +2,7 @@
 #pragma once
 
 #include "devices/bench/bench_seat.h"
+#include "devices/bench/bench_stream.h"
 #include "devices/instruments/bench_connection.h"
 #include "devices/instruments/field_bench.h"
 #include "devices/simulated/bench_clock.h"
@@ -48,6 +49,8 @@ private:
   OpenedBench(SavedBench bench, DeviceLister list) : m_saved(std::move(bench)), m_list(std::move(list)) {}
   template <typename Role>
   Role* filled(Role* (BenchSeat::*role)());
+  template <typename Role>
+  BenchSeat* seatOf(Role* (BenchSeat::*role)()) const;
   std::unexpected<Error> unfilled(InstrumentRole role) const;
   template <typename Role>
   Result<RoleReading> readValue(InstrumentRole role, Role* (BenchSeat::*filler)(),
@@ -57,6 +60,7 @@ private:
   DeviceLister m_list;
   RealTimeClock m_clock;
   std::vector<std::unique_ptr<BenchSeat>> m_seats;
+  std::unique_ptr<BenchStream> m_stream; ///< null where the instruments cannot stream
 };
 
 } // namespace straightedge::devices

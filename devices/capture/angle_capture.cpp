@@ -4,6 +4,7 @@
 #include "devices/capture/capture_worker.h"
 
 #include <optional>
+#include <pthread.h>
 #include <thread>
 #include <utility>
 
@@ -15,7 +16,7 @@ Result<void> checkBench(const AngleBench& bench, const AnglePlan& plan) {
   if (bench.sensor == nullptr || bench.reference == nullptr || bench.clock == nullptr) {
     return fail(ErrorKind::Instrument, "the bench has no sensor or no encoder", "connect both", bench.name);
   }
-  if (plan.sampleRateHz > 0.0 && (bench.stage == nullptr || bench.stream == nullptr)) {
+  if (plan.sampleRateHz > 0.0 && bench.stream == nullptr) {
     return fail(ErrorKind::Usage, "this bench cannot sample while the shaft turns",
                 "set the sample rate to 0 to capture point by point", bench.name);
   }
@@ -32,7 +33,10 @@ struct AngleCapture::Impl {
       thread.join(); // has ended: it was not running
     }
     shared.begin();
-    thread = std::jthread([this](const std::stop_token& stop) { worker->run(stop); });
+    thread = std::jthread([this](const std::stop_token& stop) {
+      static_cast<void>(::pthread_setname_np(::pthread_self(), "capture")); // for debuggers and tests/bench
+      worker->run(stop);
+    });
   }
 
   AngleBench bench;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct CaptureProgress {
   std::optional<double> remainingS; ///< known after the first points
   std::optional<Error> error;       ///< state Failed or Paused by a fault
   bool waitsForInstrument = false;  ///< Paused because one was unplugged: goes on by itself when it is back
+  std::string note;                 ///< what a person should know or do meanwhile; mostly empty
   int retried = 0;                  ///< readings that were asked for again after a time-out
 };
 

@@ -1,7 +1,7 @@
 #include "devices/capture/capture_worker.h"
 
 #include "core/base/number_text.h"
-#include "devices/capture/reading_pairing.h"
+#include "devices/instruments/reading_pairing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,6 @@ namespace straightedge::devices {
 
 namespace {
 
-/// The shaft comes to a point from so far away, always in the point's direction, so that play and hysteresis are those
-/// of that direction.
-constexpr double takeUpDeg = 5.0;
 /// A shaft turned by hand counts as still while it moves less than this between two looks.
 constexpr double handStillDeg = 0.02;
 /// A pair that the rule rejects is read again so often.
@@ -162,106 +159,6 @@ CaptureWorker::Step<StreamedAngle> CaptureWorker::readInterpolated() {
                      m_bench.name}});
 }
 
-CaptureWorker::Step<void> CaptureWorker::measureRun(PointRun run) {
-  const PlannedPoint& first = m_course.point(run.first);
-  const int direction = first.direction;
-  const double sectors = run.last - run.first + 1;
-  const double endDeg = first.encoderDeg + direction * (sectors * m_course.stepDeg() + takeUpDeg);
-  if (auto there = travelTo(first.encoderDeg - direction * takeUpDeg); !there) {
-    return there;
-  }
-  if (auto settled = wait(m_course.plan().settleS); !settled) {
-    return settled;
-  }
-  auto outcome = fromInstrument(m_bench.stage->startMoveToDeg(endDeg), "stage");
-  if (outcome) {
-    outcome = fromInstrument(m_bench.stream->start(m_course.plan().sampleRateHz), "sampling");
-  }
-  m_standsAtDeg.reset();
-  int sector = run.first - 1;
-  bool passed = false;
-  while (outcome && !passed) {
-    outcome = wait(lookAroundS / 2.0);
-    if (!outcome) {
-      break;
-    }
-    // Asked before the samples are read: what is read afterwards reaches to the end of the move.
-    const auto moving = fromInstrument(m_bench.stage->isMoving(), "stage");
-    auto block = fromInstrument(m_bench.stream->read(), "sampling");
-    if (!moving || !block) {
-      outcome = std::unexpected(!moving ? moving.error() : block.error());
-      break;
-    }
-    const auto stored = storeStream(*block, run, sector);
-    if (!stored) {
-      outcome = std::unexpected(stored.error());
-      break;
-    }
-    passed = *stored;
-    if (!passed && !*moving && block->samples.empty()) {
-      outcome = std::unexpected(
-          Interruption{.fault = Error{ErrorKind::Instrument, "the stage stopped before the end of the sweep",
-                                      "see whether the shaft is blocked, then resume", "stage"}});
-    }
-  }
-  // Whatever ended it, stage and stream stand still afterwards; the first fault is the one that is told.
-  auto halted = fromInstrument(m_bench.stage->halt(), "stage");
-  auto stopped = fromInstrument(m_bench.stream->stop(), "sampling");
-  if (outcome) {
-    outcome = halted ? std::move(stopped) : std::move(halted);
-  }
-  return outcome;
-}
-
-CaptureWorker::Step<bool> CaptureWorker::storeStream(const StreamBlock& block, PointRun run, int& sector) {
-  if (block.lost > 0) {
-    const session::SampleGap gap{m_course.nextSequence, block.lost, "the instrument's memory ran over"};
-    if (auto recorded = fromSink(m_sink.recordGap(gap)); !recorded) {
-      return std::unexpected(recorded.error());
-    }
-    m_course.nextSequence += block.lost;
-  }
-  const PlannedPoint& first = m_course.point(run.first);
-  std::vector<session::AngleSample> samples;
-  samples.reserve(block.samples.size());
-  bool passed = false;
-  for (const StreamedAngle& streamed : block.samples) {
-    const double travelled = (streamed.encoderDeg - first.encoderDeg) * first.direction;
-    const int at = run.first + static_cast<int>(std::floor(travelled / m_course.stepDeg()));
-    // Jitter of the encoder at a border does not lead back into the sector before.
-    while (sector < std::min(at, run.last + 1)) {
-      if (sector >= run.first) {
-        m_course.sectorDone(sector);
-      }
-      ++sector;
-      if (sector <= run.last) {
-        m_course.sectorBegun(sector);
-      }
-    }
-    if (sector > run.last) {
-      passed = true;
-      break;
-    }
-    if (sector < run.first) {
-      continue; // still on the way to the first sector
-    }
-    session::AngleSample sample;
-    sample.point = sector;
-    sample.attempt = m_course.attempt(sector);
-    sample.turn = m_course.point(sector).turn;
-    sample.direction = first.direction;
-    sample.timeS = sampleTimeS(streamed.timeS);
-    sample.encoderDeg = streamed.encoderDeg;
-    sample.sensorDeg = streamed.sensorDeg;
-    samples.push_back(sample);
-  }
-  if (auto stored = store(std::move(samples)); !stored) {
-    return std::unexpected(stored.error());
-  }
-  publishProgress();
-  return passed;
-}
-
 CaptureWorker::Step<void> CaptureWorker::approach(double angleDeg, int direction) {
   const bool onTheWay = m_standsAtDeg && m_cameFrom == direction && (angleDeg - *m_standsAtDeg) * direction > 0.0;
   if (!onTheWay) {
@@ -345,6 +242,7 @@ void CaptureWorker::fillProgress(CaptureProgress& progress) {
   progress.pointsPlanned = m_course.planned();
   progress.samples = m_samples;
   progress.samplesLost = m_shared.queue.lost();
+  progress.note = m_note;
   if (doneNow >= 2) {
     progress.remainingS = progress.elapsedS / doneNow * (m_course.planned() - done);
   }

@@ -6,8 +6,10 @@
 #include "devices/capture/capture_loop.h"
 #include "devices/capture/live_queue.h"
 #include "devices/capture/reference_zero.h"
+#include "devices/capture/stream_pass.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace straightedge::devices {
@@ -36,8 +38,17 @@ private:
   Step<void> readOnce(int index, std::optional<double> temperatureC);
   Step<StreamedAngle> readAsRead();
   Step<StreamedAngle> readInterpolated();
+  // Free-running: capture_stream.cpp
   Step<void> measureRun(PointRun run);
-  Step<bool> storeStream(const StreamBlock& block, PointRun run, int& sector); ///< true: passed the run's end
+  Step<void> beginPass(const StreamPass& pass);
+  Step<void> followPass(StreamPass& pass);
+  Step<void> storeStream(const StreamBlock& block, StreamPass& pass);
+  Step<void> recordGaps(const StreamBlock& block);
+  std::string streamNote(const StreamPass& pass, std::optional<double> rateHz) const;
+  /// The shaft comes to a point from so far away, always in the point's direction, so that play and hysteresis are
+  /// those of that direction.
+  static constexpr double takeUpDeg = 5.0;
+
   Step<void> approach(double angleDeg, int direction);
   Step<void> travelTo(double angleDeg);
   Step<void> waitForHand(const PlannedPoint& point);
@@ -52,6 +63,7 @@ private:
   std::optional<double> m_standsAtDeg; ///< where the stage was sent last; unknown at first and after a pause
   int m_cameFrom = 0;                  ///< direction of that move
   std::int64_t m_samples = 0;
+  std::string m_note; ///< CaptureProgress::note
 };
 
 } // namespace straightedge::devices

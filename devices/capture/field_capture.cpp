@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <pthread.h>
 #include <thread>
 #include <utility>
 
@@ -35,7 +36,10 @@ struct FieldCapture::Impl {
       thread.join(); // has ended: it was not running
     }
     shared.begin();
-    thread = std::jthread([this](const std::stop_token& stop) { worker->run(stop); });
+    thread = std::jthread([this](const std::stop_token& stop) {
+      static_cast<void>(::pthread_setname_np(::pthread_self(), "capture")); // for debuggers and tests/bench
+      worker->run(stop);
+    });
   }
   void startAgainAfterTheEnd() {
     std::unique_lock lock(shared.mutex);

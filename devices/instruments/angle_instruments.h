@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "devices/instruments/pairing_rule.h"
 
 #include <cstdint>
 #include <optional>
@@ -68,14 +69,22 @@ struct StreamedAngle {
 
 struct StreamBlock {
   std::vector<StreamedAngle> samples; ///< in order of time
-  std::int64_t lost = 0;              ///< samples the instrument dropped since the block before
+  // What made no sample since the block before; capture records it as gaps:
+  std::int64_t lost = 0;     ///< samples the instrument itself says it dropped
+  std::int64_t rejected = 0; ///< lines that came and were no readings
+  std::int64_t unpaired = 0; ///< readings of the encoder without readings of the sensor close enough in time
+};
+
+struct StreamRequest {
+  double rateHz = 0.0;      ///< an instrument with a rate of its own keeps that; capture says so where they differ
+  PairingRule pairing = {}; ///< of two instruments: its greatest age. Always interpolated, for the shaft turns
 };
 
 /// Samples encoder and sensor by itself at a fixed rate while the shaft turns. Thread: the capture thread only.
 class AngleStream {
 public:
   virtual ~AngleStream() = default;
-  virtual Result<void> start(double rateHz) = 0;
+  virtual Result<void> start(const StreamRequest& request) = 0;
   virtual Result<StreamBlock> read() = 0; ///< everything since start or the last read; does not wait
   virtual Result<void> stop() = 0;
 };

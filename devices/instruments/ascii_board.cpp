@@ -19,11 +19,31 @@ std::string separatorsOf(std::string_view word) {
   return word == "blanks" ? " \t" : ",;\t";
 }
 
-double degreesPer(std::string_view unit) {
+/// Of the column whose unit and counts per turn have these keys.
+double degreesPer(SettingReader& reader, std::string_view unitKey, std::string_view countsKey) {
+  const std::string unit = reader.text(unitKey);
+  if (unit == "count") {
+    return 360.0 / reader.number(countsKey, 2, 1e12);
+  }
   if (unit == "rad") {
     return 180.0 / std::numbers::pi;
   }
   return unit == "turn" ? 360.0 : 1.0;
+}
+
+/// A board that prints the encoder's angle beside the sensor's: both in one line, sampled together.
+std::optional<LineColumn> referenceColumnOf(SettingReader& reader) {
+  const auto column = reader.numberIfGiven("reference_column", 1, 64);
+  const std::string label = reader.text("reference_label");
+  if (!column && label.empty()) {
+    return std::nullopt;
+  }
+  LineColumn reference;
+  reference.quantity = "reference";
+  reference.index = static_cast<int>(column.value_or(1));
+  reference.label = label;
+  reference.scale = degreesPer(reader, "reference_unit", "reference_counts_per_turn");
+  return reference;
 }
 
 } // namespace
@@ -44,6 +64,15 @@ const std::vector<SettingDescription>& asciiBoardSettings() {
        "what one unit is: deg, rad, turn or count",
        {"deg", "rad", "turn", "count"}},
       {"counts_per_turn", "Counts per turn", "", "for the unit count: 4096 for 12 bits, 16384 for 14"},
+      {"reference_column", "Field with the encoder's angle", "",
+       "its number in the line, where the board prints both angles"},
+      {"reference_label", "Label before the encoder's angle", "", "it is then found by that, not by its number"},
+      {"reference_unit",
+       "Unit of the encoder's angle",
+       "deg",
+       "what one unit of it is: deg, rad, turn or count",
+       {"deg", "rad", "turn", "count"}},
+      {"reference_counts_per_turn", "Encoder's counts per turn", "", "for the unit count: 4 times its lines"},
       {"suffix", "Text after the number", "", "what the board prints behind the angle, for example deg"},
       {"prefix", "Lines begin with", "", "the text that all lines with a reading begin with"},
       {"temperature_column", "Field with a temperature", "", "its number in the line, where there is one, in °C"},
@@ -64,19 +93,23 @@ Result<std::unique_ptr<Instrument>> AsciiBoard::make(Transport& transport, Bench
   AsciiBoardOptions options;
   options.format.separators = separatorsOf(reader.text("separator"));
   options.format.prefix = reader.text("prefix");
-  const std::string unit = reader.text("unit");
   LineColumn angle;
   angle.quantity = "angle";
   angle.index = reader.integer("column", 1, 64);
   angle.label = reader.text("label");
   angle.unit = reader.text("suffix");
-  angle.scale = unit == "count" ? 360.0 / reader.number("counts_per_turn", 2, 1e12) : degreesPer(unit);
+  angle.scale = degreesPer(reader, "unit", "counts_per_turn");
   options.format.columns.push_back(angle);
   if (const auto column = reader.numberIfGiven("temperature_column", 1, 64)) {
     LineColumn temperature;
     temperature.quantity = "temperature";
     temperature.index = static_cast<int>(*column);
+    options.temperatureColumn = options.format.columns.size();
     options.format.columns.push_back(temperature);
+  }
+  if (auto reference = referenceColumnOf(reader)) {
+    options.referenceColumn = options.format.columns.size();
+    options.format.columns.push_back(*std::move(reference));
   }
   options.latencyS = reader.number("latency_s", 0.0, 10.0);
   options.deadline = Milliseconds{static_cast<int>(1000.0 * reader.number("deadline_s", 0.01, 600.0))};
@@ -118,40 +151,20 @@ Result<TimedReading> AsciiBoard::readDeg() {
 }
 
 Result<TimedReading> AsciiBoard::Reference::readDeg() {
-  auto reading = m_board.fresh(0);
+  auto reading = m_board.fresh(m_board.referenceColumn());
   if (reading && m_board.m_options.unwrap) {
     reading->value = m_board.m_unwrap.follow(reading->value);
   }
   return reading;
 }
 
-Result<TimedReading> AsciiBoard::readC() { return fresh(1); }
+Result<TimedReading> AsciiBoard::readC() { return fresh(m_options.temperatureColumn.value_or(0)); }
 
-Result<void> AsciiBoard::start() {
-  auto started = m_lines.startStream(m_talk);
-  m_streaming = started.has_value();
-  m_told = m_lines.counts();
-  return started;
-}
-
-Result<ReadingBlock> AsciiBoard::read() {
-  const auto came = m_lines.waiting(m_talk);
-  if (!came) {
-    return std::unexpected(came.error());
+ReadingStream* AsciiBoard::angleReadings(InstrumentRole role) {
+  if (role == InstrumentRole::AngleReference) {
+    return &m_referenceReadings;
   }
-  ReadingBlock block;
-  block.readings.reserve(came->size());
-  for (const TimedValues& reading : *came) {
-    block.readings.push_back({reading.values[0], reading.timeS});
-  }
-  block.rejected = m_lines.counts().rejected - m_told.rejected;
-  m_told = m_lines.counts();
-  return block;
-}
-
-Result<void> AsciiBoard::stop() {
-  m_streaming = false;
-  return {};
+  return role == InstrumentRole::AngleSensor ? &m_sensorReadings : nullptr;
 }
 
 } // namespace straightedge::devices

@@ -6,6 +6,7 @@
 #include "devices/instruments/instrument.h"
 #include "devices/instruments/instrument_settings.h"
 #include "devices/instruments/line_source.h"
+#include "devices/instruments/line_stream.h"
 
 #include <memory>
 #include <optional>
@@ -15,14 +16,17 @@ namespace straightedge::devices {
 const std::vector<SettingDescription>& asciiBoardSettings();
 
 struct AsciiBoardOptions {
-  LineFormat format; ///< column 0: the angle in degrees; column 1, where there is one: a temperature in °C
+  LineFormat format;                            ///< column 0: the angle in degrees; the others where they are
+  std::optional<std::size_t> temperatureColumn; ///< of `format`: in °C
+  std::optional<std::size_t> referenceColumn; ///< of `format`: the encoder's angle, in degrees, where the board prints
+                                              ///< both
   double latencyS = 0.0;
   Milliseconds deadline{2000};
   bool unwrap = false;    ///< as a reference: the board knows one turn only
   bool keepsZero = false; ///< as a reference: it knows its angle also after it was without power
 };
 
-class AsciiBoard : public Instrument, public AngleSensor, public Thermometer, public ReadingStream {
+class AsciiBoard : public Instrument, public AngleSensor, public Thermometer {
 public:
   static Result<std::unique_ptr<Instrument>> make(Transport& transport, BenchClock& clock,
                                                   const SettingValues& settings);
@@ -33,14 +37,12 @@ public:
   std::optional<TransportFault> lastFault() const override { return m_talk.lastFault(); }
   AngleSensor* angleSensor() override { return this; }
   AngleReference* angleReference() override { return &m_reference; }
-  ReadingStream* angleReadings() override { return this; }
-  Thermometer* thermometer() override { return m_options.format.columns.size() > 1 ? this : nullptr; }
+  ReadingStream* angleReadings(InstrumentRole role) override;
+  AngleStream* angleStream() override { return m_options.referenceColumn ? &m_bothAngles : nullptr; }
+  Thermometer* thermometer() override { return m_options.temperatureColumn ? this : nullptr; }
 
   Result<TimedReading> readDeg() override; ///< as a sensor: [0, 360)
   Result<TimedReading> readC() override;
-  Result<void> start() override;
-  Result<ReadingBlock> read() override; ///< as printed
-  Result<void> stop() override;
 
 private:
   /// The same board as a reference: AngleSensor and AngleReference both have a readDeg().
@@ -58,6 +60,8 @@ private:
   };
 
   Result<TimedReading> fresh(std::size_t column);
+  std::size_t referenceColumn() const { return m_options.referenceColumn.value_or(0); }
+  AngleUnwrap* unwrap() { return m_options.unwrap ? &m_unwrap : nullptr; }
 
   Conversation m_talk;
   AsciiBoardOptions m_options;
@@ -65,7 +69,10 @@ private:
   AngleUnwrap m_unwrap;
   Reference m_reference{*this};
   bool m_streaming = false;
-  LineCounts m_told; ///< counts when the last block was handed over
+  StreamedLines m_printed{&m_talk, &m_lines, &m_streaming};
+  LineReadings m_sensorReadings{m_printed, 0, nullptr};
+  LineReadings m_referenceReadings{m_printed, referenceColumn(), unwrap()};
+  LineAngles m_bothAngles{m_printed, referenceColumn(), 0, unwrap()};
 };
 
 } // namespace straightedge::devices

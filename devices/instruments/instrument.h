@@ -68,7 +68,9 @@ public:
   /// The roles it can fill; null for the others. They live as long as the instrument and know its transport.
   virtual AngleSensor* angleSensor() { return nullptr; }
   virtual AngleReference* angleReference() { return nullptr; }
-  virtual ReadingStream* angleReadings() { return nullptr; } ///< degrees; the same instrument as sensor or reference
+  /// Degrees, as a sensor within any turn, as a reference unwrapped; null where it does not send that by itself.
+  virtual ReadingStream* angleReadings(InstrumentRole /*role*/) { return nullptr; }
+  virtual AngleStream* angleStream() { return nullptr; } ///< both angles in one, where it sends both by itself
   virtual FieldProbe* fieldProbe() { return nullptr; }
   virtual FieldReference* fieldReference() { return nullptr; }
   virtual ResistanceMeter* resistanceMeter() { return nullptr; }

@@ -34,6 +34,11 @@ void LineReader::takeLine(std::string_view line, std::vector<std::vector<double>
 
 std::vector<std::vector<double>> LineReader::take(std::string_view bytes) {
   std::vector<std::vector<double>> readings;
+  take(bytes, readings);
+  return readings;
+}
+
+void LineReader::take(std::string_view bytes, std::vector<std::vector<double>>& readings) {
   while (!bytes.empty()) {
     const std::size_t end = bytes.find(m_end);
     const std::string_view part = bytes.substr(0, end);
@@ -50,7 +55,6 @@ std::vector<std::vector<double>> LineReader::take(std::string_view bytes) {
     m_partial.clear();
     bytes.remove_prefix(end + 1);
   }
-  return readings;
 }
 
 } // namespace straightedge::devices

@@ -29,6 +29,7 @@ public:
 
   /// Readings in `bytes` together with what was left over before: one list of columns a line.
   std::vector<std::vector<double>> take(std::string_view bytes);
+  void take(std::string_view bytes, std::vector<std::vector<double>>& readings); ///< behind those that are there
 
   const LineFormat& format() const { return m_format; }
   const LineCounts& counts() const { return m_counts; }

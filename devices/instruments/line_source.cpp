@@ -3,8 +3,16 @@
 #include "core/base/number_text.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace straightedge::devices {
+
+namespace {
+
+/// Arrivals that are taken in one go: on a line that brings more while they are, the rest comes with the next call.
+constexpr int mostReads = 128;
+
+} // namespace
 
 Result<TimedValues> LineSource::fresh(Conversation& talk, Milliseconds deadline) {
   if (auto started = startStream(talk); !started) {
@@ -45,32 +53,40 @@ Result<void> LineSource::startStream(Conversation& talk) {
     return cleared;
   }
   m_reader.startInsideLine();
+  m_fault.reset();
   m_lastArrivalS = talk.clock().nowS();
   return {};
 }
 
 Result<std::vector<TimedValues>> LineSource::waiting(Conversation& talk) {
-  std::vector<TimedValues> all;
-  constexpr std::size_t enough = 1U << 16U; // readings: faster than we are, hand over what there is
-  while (all.size() < enough) {
-    const auto bytes = talk.transport().read(Milliseconds{1});
+  if (const auto fault = std::exchange(m_fault, std::nullopt)) {
+    return talk.failed(*fault, "while streaming");
+  }
+  std::vector<std::vector<double>> readings;
+  double arrivalS = m_lastArrivalS;
+  for (int i = 0; i < mostReads; ++i) {
+    auto bytes = talk.transport().read(Milliseconds{0});
     if (!bytes && bytes.error().fault == TransportFault::TimedOut) {
       break;
     }
-    if (!bytes) {
-      if (!all.empty()) {
-        break; // what came before the fault counts; the fault comes again with the next call
-      }
+    if (!bytes && readings.empty()) {
       return talk.failed(bytes.error(), "while streaming");
     }
-    auto readings = m_reader.take(*bytes);
-    const double arrivalS = talk.clock().nowS();
-    const double stepS = readings.empty() ? 0.0 : (arrivalS - m_lastArrivalS) / static_cast<double>(readings.size());
-    for (std::size_t i = 0; i < readings.size(); ++i) {
-      all.push_back({std::move(readings[i]), m_lastArrivalS + stepS * static_cast<double>(i + 1) - m_latencyS});
+    if (!bytes) {
+      m_fault = std::move(bytes.error());
+      break;
     }
-    m_lastArrivalS = readings.empty() ? m_lastArrivalS : arrivalS;
+    arrivalS = talk.clock().nowS();
+    m_reader.take(*bytes, readings);
   }
+  std::vector<TimedValues> all;
+  all.reserve(readings.size());
+  const double stepS = readings.empty() ? 0.0 : (arrivalS - m_lastArrivalS) / static_cast<double>(readings.size());
+  for (std::vector<double>& values : readings) {
+    const auto number = static_cast<double>(all.size() + 1);
+    all.push_back({std::move(values), m_lastArrivalS + stepS * number - m_latencyS});
+  }
+  m_lastArrivalS = all.empty() ? m_lastArrivalS : arrivalS;
   return all;
 }
 

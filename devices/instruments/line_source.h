@@ -4,6 +4,7 @@
 #include "devices/instruments/conversation.h"
 #include "devices/instruments/line_reader.h"
 
+#include <optional>
 #include <vector>
 
 namespace straightedge::devices {
@@ -25,7 +26,8 @@ public:
 
   /// From now on: everything. To be called before the first waiting().
   Result<void> startStream(Conversation& talk);
-  /// What came since; does not wait for more.
+  /// What came since; does not wait for more. What came before a fault is handed out first, the fault with the next
+  /// call.
   Result<std::vector<TimedValues>> waiting(Conversation& talk);
 
   const LineFormat& format() const { return m_reader.format(); }
@@ -35,6 +37,7 @@ private:
   LineReader m_reader;
   double m_latencyS;
   double m_lastArrivalS = 0.0;
+  std::optional<TransportError> m_fault; ///< came behind the readings that were handed out last
 };
 
 } // namespace straightedge::devices

@@ -1,6 +1,7 @@
 #include "devices/instruments/profile_instrument.h"
 
 #include "devices/instruments/field_instruments.h"
+#include "devices/instruments/line_stream.h"
 #include "devices/instruments/scpi_replies.h"
 
 #include <algorithm>
@@ -39,6 +40,7 @@ public:
   Result<TimedReading> readDeg() override;
   std::optional<double> incrementDeg() const override;
   void restart() { m_unwrap.restart(); }
+  AngleUnwrap* unwrap() { return &m_unwrap; }
 
 private:
   ProfileInstrument& m_owner;
@@ -85,7 +87,7 @@ private:
   ProfileInstrument& m_owner;
 };
 
-class ProfileInstrument : public Instrument, public ReadingStream {
+class ProfileInstrument : public Instrument {
 public:
   ProfileInstrument(Transport& transport, BenchClock& clock, const Profile& profile);
 
@@ -94,15 +96,12 @@ public:
   std::optional<TransportFault> lastFault() const override { return m_talk.lastFault(); }
   AngleSensor* angleSensor() override { return has(Role::AngleSensor) ? &m_sensor : nullptr; }
   AngleReference* angleReference() override { return has(Role::AngleReference) ? &m_reference : nullptr; }
-  ReadingStream* angleReadings() override { return streamed() == nullptr ? nullptr : this; }
+  ReadingStream* angleReadings(Role role) override;
+  AngleStream* angleStream() override { return m_bothAngles ? &*m_bothAngles : nullptr; }
   FieldProbe* fieldProbe() override { return has(Role::FieldProbe) ? &m_probe : nullptr; }
   FieldReference* fieldReference() override { return has(Role::FieldReference) ? &m_fieldReference : nullptr; }
   ResistanceMeter* resistanceMeter() override { return has(Role::Resistance) ? &m_resistance : nullptr; }
   Thermometer* thermometer() override { return has(Role::Temperature) ? &m_thermometer : nullptr; }
-
-  Result<void> start() override;
-  Result<ReadingBlock> read() override;
-  Result<void> stop() override;
 
   Result<Answer> answer(Role role);
   bool keepsZero() const {
@@ -118,13 +117,14 @@ private:
   struct Reading {
     ProfileReading profile;
     std::optional<LineSource> lines;
+    std::optional<LineReadings> stream = {}; ///< of an angle's lines
   };
   Reading* find(Role role) {
     const auto found = std::ranges::find(m_readings, role, [](const Reading& reading) { return reading.profile.role; });
     return found == m_readings.end() ? nullptr : &*found;
   }
   bool has(Role role) { return find(role) != nullptr; }
-  Reading* streamed();
+  void makeStreams();
   Result<void> sendAll(const std::vector<std::string>& commands);
   Result<Answer> ask(const ProfileReading& reading);
 
@@ -135,13 +135,14 @@ private:
   InstrumentIdentity m_identity;
   std::optional<Role> m_setUpFor; ///< the role whose set-up was sent last
   bool m_streaming = false;
-  LineCounts m_told;
   SensorRole m_sensor{*this};
   ReferenceRole m_reference{*this};
   ProbeRole m_probe{*this};
   FieldReferenceRole m_fieldReference{*this};
   ResistanceRole m_resistance{*this};
   ThermometerRole m_thermometer{*this};
+  std::optional<LineSource> m_bothLines; ///< where sensor and reference stand in the same lines
+  std::optional<LineAngles> m_bothAngles;
 };
 
 ProfileInstrument::ProfileInstrument(Transport& transport, BenchClock& clock, const Profile& profile)
@@ -152,6 +153,33 @@ ProfileInstrument::ProfileInstrument(Transport& transport, BenchClock& clock, co
   for (const ProfileReading& reading : profile.readings) {
     m_readings.push_back({reading, reading.command.empty() ? std::optional(LineSource(reading.format, reading.latencyS))
                                                            : std::nullopt});
+  }
+  makeStreams();
+}
+
+/// Two readings whose lines are the same but for their columns.
+bool areOneLine(const ProfileReading& one, const ProfileReading& other) {
+  return one.command.empty() && other.command.empty() && !one.regex && !other.regex &&
+         one.format.separators == other.format.separators && one.format.decimalPoint == other.format.decimalPoint &&
+         one.format.prefix == other.format.prefix && one.format.fieldCount == other.format.fieldCount &&
+         one.latencyS == other.latencyS;
+}
+
+void ProfileInstrument::makeStreams() {
+  for (Reading& reading : m_readings) {
+    const bool reference = reading.profile.role == Role::AngleReference;
+    if (reading.lines && (reference || reading.profile.role == Role::AngleSensor)) {
+      reading.stream.emplace(StreamedLines{&m_talk, &*reading.lines, &m_streaming}, 0U,
+                             reference ? m_reference.unwrap() : nullptr);
+    }
+  }
+  const Reading* sensor = find(Role::AngleSensor);
+  const Reading* reference = find(Role::AngleReference);
+  if (sensor != nullptr && reference != nullptr && areOneLine(sensor->profile, reference->profile)) {
+    LineFormat both = sensor->profile.format;
+    both.columns = {reference->profile.format.columns.front(), sensor->profile.format.columns.front()};
+    m_bothLines.emplace(std::move(both), sensor->profile.latencyS);
+    m_bothAngles.emplace(StreamedLines{&m_talk, &*m_bothLines, &m_streaming}, 0U, 1U, m_reference.unwrap());
   }
 }
 
@@ -253,41 +281,9 @@ Result<TimedReading> ProfileInstrument::value(Role role) {
   return TimedReading{got->values.front(), got->timeS};
 }
 
-ProfileInstrument::Reading* ProfileInstrument::streamed() {
-  for (const Role role : {Role::AngleSensor, Role::AngleReference}) {
-    if (Reading* reading = find(role); reading != nullptr && reading->lines) {
-      return reading;
-    }
-  }
-  return nullptr;
-}
-
-Result<void> ProfileInstrument::start() {
-  auto started = streamed()->lines->startStream(m_talk);
-  m_streaming = started.has_value();
-  m_told = streamed()->lines->counts();
-  return started;
-}
-
-Result<ReadingBlock> ProfileInstrument::read() {
-  LineSource& lines = *streamed()->lines;
-  const auto came = lines.waiting(m_talk);
-  if (!came) {
-    return std::unexpected(came.error());
-  }
-  ReadingBlock block;
-  block.readings.reserve(came->size());
-  for (const TimedValues& reading : *came) {
-    block.readings.push_back({reading.values[0], reading.timeS});
-  }
-  block.rejected = lines.counts().rejected - m_told.rejected;
-  m_told = lines.counts();
-  return block;
-}
-
-Result<void> ProfileInstrument::stop() {
-  m_streaming = false;
-  return {};
+ReadingStream* ProfileInstrument::angleReadings(Role role) {
+  Reading* reading = find(role);
+  return reading != nullptr && reading->stream ? &*reading->stream : nullptr;
 }
 
 InstrumentIdentity SensorRole::identity() const { return m_owner.identity(); }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <utility>
 
 namespace straightedge::devices {
 
@@ -17,6 +18,8 @@ constexpr std::uint8_t registerVersion = 0x14;
 constexpr std::uint8_t registerReplyFormat = 0x15;
 
 constexpr Milliseconds patience{500};
+/// Arrivals of a stream that are taken in one go.
+constexpr int mostReads = 128;
 constexpr int mostForeignReplies = 200; ///< stream lines and banner that may come before the reply to a command
 
 /// The manual's text says 1/256 s for the stamp in one place and 1/512 s in another. 1.95 ms for the interval and a
@@ -57,7 +60,7 @@ Result<std::unique_ptr<Instrument>> Qsb::make(Transport& transport, BenchClock& 
 
 Qsb::Qsb(Transport& transport, const BenchClock& clock, double degPerCount, bool countDown)
     : m_talk(transport, clock, {.commandEnd = "\r\n", .replyEnd = "!", .deadline = patience}),
-      m_degPerCount(degPerCount), m_countDown(countDown) {}
+      m_degPerCount(degPerCount), m_countDown(countDown), m_times(stampTickS) {}
 
 /// The reply to this command; stream lines and the banner of a reset ("QSB-D  0E!") that come before it are passed
 /// over, and `unreadable` others, where the line was emptied in the middle of one.
@@ -158,43 +161,55 @@ Result<TimedReading> Qsb::readDeg() {
 
 Result<void> Qsb::start() {
   m_stream.clear();
+  m_times.restart();
+  m_streamFault.reset();
   const auto answer = ask("S0E");
   m_streaming = answer.has_value();
   return answer ? Result<void>{} : std::unexpected(answer.error());
 }
 
-void Qsb::addStreamed(const QsbReply& reply, std::vector<std::uint32_t>& stamps, ReadingBlock& block) {
-  block.readings.push_back({degrees(reply.data), 0.0});
-  stamps.push_back(*reply.stamp);
-}
-
-Result<ReadingBlock> Qsb::read() {
-  ReadingBlock block;
-  std::vector<std::uint32_t> stamps;
-  for (;;) {
-    auto bytes = m_talk.transport().read(Milliseconds{1});
+Result<double> Qsb::receiveStream() {
+  double arrivedS = m_talk.clock().nowS();
+  if (const auto fault = std::exchange(m_streamFault, std::nullopt)) {
+    return m_talk.failed(*fault, "while streaming");
+  }
+  for (int i = 0; i < mostReads; ++i) {
+    auto bytes = m_talk.transport().read(Milliseconds{0});
     if (!bytes && bytes.error().fault == TransportFault::TimedOut) {
       break;
     }
-    if (!bytes) {
+    if (!bytes && i == 0) {
       return m_talk.failed(bytes.error(), "while streaming");
     }
-    m_stream.append(*bytes);
-    if (m_stream.size() > 1U << 16U) { // faster than we are: hand over what there is
+    if (!bytes) {
+      m_streamFault = std::move(bytes.error());
       break;
     }
+    arrivedS = m_talk.clock().nowS();
+    m_stream.append(*bytes);
   }
-  const double arrivedS = m_talk.clock().nowS();
+  return arrivedS;
+}
+
+Result<ReadingBlock> Qsb::read() {
+  const auto arrivedS = receiveStream();
+  if (!arrivedS) {
+    return std::unexpected(arrivedS.error());
+  }
+  ReadingBlock block;
+  std::vector<std::uint32_t> stamps;
   while (const auto line = m_stream.takeThrough("!")) {
     const auto reply = parseQsbReply(*line);
     if (reply && reply->kind == 's' && reply->reg == registerCount && reply->stamp) {
-      addStreamed(*reply, stamps, block);
+      block.readings.push_back({degrees(reply->data), 0.0});
+      stamps.push_back(*reply->stamp);
     } else {
       ++block.rejected;
     }
   }
-  for (std::size_t i = 0; i < stamps.size(); ++i) {
-    block.readings[i].timeS = arrivedS - stampTickS * (stamps.back() - stamps[i]); // unsigned: survives a rollover
+  const auto times = m_times.place(stamps, *arrivedS);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    block.readings[i].timeS = times[i];
   }
   return block;
 }

@@ -5,6 +5,7 @@
 #include "devices/instruments/instrument.h"
 #include "devices/instruments/instrument_settings.h"
 #include "devices/instruments/qsb_reply.h"
+#include "devices/instruments/stamped_times.h"
 #include "devices/transport/byte_buffer.h"
 #include "devices/transport/serial_settings.h"
 
@@ -30,7 +31,9 @@ public:
   std::optional<TransportFault> lastFault() const override { return m_talk.lastFault(); }
   AngleReference* angleReference() override { return this; }
   std::optional<double> incrementDeg() const override { return m_degPerCount; } ///< it counts from its last reset
-  ReadingStream* angleReadings() override { return this; }
+  ReadingStream* angleReadings(InstrumentRole role) override {
+    return role == InstrumentRole::AngleReference ? this : nullptr;
+  }
 
   Result<TimedReading> readDeg() override;
   Result<void> start() override;
@@ -45,7 +48,8 @@ private:
   Result<Answer> ask(std::string_view command, int unreadable = 0);
   Result<void> write(std::uint8_t reg, std::uint32_t value);
   double degrees(std::uint32_t count);
-  void addStreamed(const QsbReply& reply, std::vector<std::uint32_t>& stamps, ReadingBlock& block);
+  /// Puts what has come into m_stream; the bench's time of the last arrival.
+  Result<double> receiveStream();
 
   Conversation m_talk;
   double m_degPerCount;
@@ -56,6 +60,8 @@ private:
   bool m_counted = false;
   bool m_streaming = false;
   ByteBuffer m_stream;
+  StampedTimes m_times;
+  std::optional<TransportError> m_streamFault; ///< came behind what was received last
 };
 
 } // namespace straightedge::devices

@@ -81,8 +81,8 @@ private:
 class SimulatedStream : public AngleStream {
 public:
   explicit SimulatedStream(SimulatedWorld& world) : m_world(world) {}
-  Result<void> start(double rateHz) override {
-    m_world.startStream(rateHz);
+  Result<void> start(const StreamRequest& request) override {
+    m_world.startStream(request.rateHz);
     return {};
   }
   Result<StreamBlock> read() override { return m_world.readStream(); }

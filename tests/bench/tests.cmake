@@ -31,6 +31,9 @@ if(STRAIGHTEDGE_BENCHMARKS)
   straightedge_add_bench(NAME bench_capture_session
     SOURCES bench/capture_session_bench.cpp
     LIBRARIES straightedge::core straightedge::devices)
+  straightedge_add_bench(NAME bench_line_stream
+    SOURCES bench/line_stream_bench.cpp
+    LIBRARIES straightedge::devices)
   straightedge_add_bench(NAME bench_usbtmc_query # with LD_PRELOAD=libumockdev-preload.so.0
     SOURCES bench/usbtmc_query_bench.cpp
     LIBRARIES straightedge::devices emulated_usb)
@@ -52,4 +55,10 @@ endif()
 if(STRAIGHTEDGE_BENCHMARKS AND STRAIGHTEDGE_GUI)
   add_executable(bench_live_capture bench/live_capture.cpp)
   target_link_libraries(bench_live_capture PRIVATE straightedge::window)
+endif()
+
+# The same for a board that streams over an emulated USB bus, with the share of each part; with umockdev's preload.
+if(STRAIGHTEDGE_BENCHMARKS AND STRAIGHTEDGE_GUI)
+  add_executable(bench_usb_stream bench/usb_stream.cpp)
+  target_link_libraries(bench_usb_stream PRIVATE straightedge::window straightedge::devices emulated_usb)
 endif()

@@ -241,7 +241,7 @@ TEST_F(CaptureControlTest, RedoWhileRunningAndAfterwardsCountsTheLatestAttemptOn
 
 TEST_F(CaptureControlTest, FreeRunningPausesAndPassesTheBrokenSectorAgain) {
   AngleCapture capture(bench(), m_sink);
-  m_stream.at(40, [&capture](StreamBlock&) { capture.pause(); });
+  m_stream.at(80, [&capture](StreamBlock&) { capture.pause(); });
   ASSERT_TRUE(capture.start(m_freeRunning));
   waitFor(capture, CaptureState::Paused);
   const int doneBefore = capture.progress().pointsDone;
@@ -257,7 +257,7 @@ TEST_F(CaptureControlTest, FreeRunningIsResumedFromWhatIsStored) {
   {
     AngleCapture capture(bench(), m_sink);
     Meeting meeting;
-    m_stream.at(50, [&meeting](StreamBlock&) { meeting.hold(); });
+    m_stream.at(100, [&meeting](StreamBlock&) { meeting.hold(); });
     ASSERT_TRUE(capture.start(m_freeRunning));
     meeting.reached.acquire();
     capture.stop();
@@ -279,7 +279,7 @@ TEST_F(CaptureControlTest, FreeRunningIsResumedFromWhatIsStored) {
 }
 
 TEST_F(CaptureControlTest, WhatTheInstrumentLostIsRecordedWithItsNumbers) {
-  m_stream.at(30, [](StreamBlock& block) { block.lost = 7; });
+  m_stream.at(60, [](StreamBlock& block) { block.lost = 7; });
   AngleCapture capture(bench(), m_sink);
   ASSERT_TRUE(capture.start(m_freeRunning));
   capture.waitUntilDone();

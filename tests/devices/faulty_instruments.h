@@ -41,7 +41,7 @@ public:
   explicit HookedStream(devices::AngleStream& real) : m_real(real) {}
   void at(int block, std::function<void(devices::StreamBlock&)> hook) { m_hooks[block] = std::move(hook); }
 
-  Result<void> start(double rateHz) override { return m_real.start(rateHz); }
+  Result<void> start(const devices::StreamRequest& request) override { return m_real.start(request); }
   Result<devices::StreamBlock> read() override {
     auto block = m_real.read();
     if (const auto hook = m_hooks.find(++m_count); hook != m_hooks.end()) {

@@ -173,7 +173,7 @@ TEST(SimulatedBenchTest, TheShaftCreepsInAndNeverOvershoots) {
 TEST(SimulatedBenchTest, StreamKeepsItsRateAndCountsWhatItLoses) {
   SimulatedAngleBench bench(ideal());
   AngleStream& stream = *bench.bench().stream;
-  ASSERT_TRUE(stream.start(1000.0));
+  ASSERT_TRUE(stream.start({.rateHz = 1000.0}));
   bench.bench().clock->sleepS(0.1005);
   const auto block = stream.read();
   ASSERT_EQ(block->samples.size(), 101U);

@@ -5,8 +5,8 @@ straightedge_add_test(NAME devices_simulated
   LABELS devices)
 
 straightedge_add_test(NAME devices_capture
-  SOURCES devices/capture_control_test.cpp devices/capture_test.cpp
-    devices/reference_zero_test.cpp
+  SOURCES devices/capture_control_test.cpp devices/capture_test.cpp devices/reference_zero_test.cpp
+    devices/stream_capture_test.cpp
   LIBRARIES straightedge::devices
   LABELS devices threads)
 

@@ -18,6 +18,14 @@ int stationsOf(const devices::AnglePlan& plan) {
   return plan.pointsPerTurn * plan.turns * (plan.bothDirections ? 2 : 1);
 }
 
+QString noteSentence(const std::string& note) {
+  QString text = QString::fromStdString(note);
+  if (!text.isEmpty()) {
+    text = text.at(0).toUpper() + text.mid(1) + QLatin1Char('.');
+  }
+  return text;
+}
+
 } // namespace
 
 CapturePresenter::CapturePresenter(AngleDocument& document, BenchLink& bench, QObject* parent)
@@ -278,7 +286,7 @@ QString CapturePresenter::guidance() const {
   case Phase::Paused:
     return tr("Paused. Every reading so far is stored.");
   case Phase::Running:
-    return turnByHand();
+    return m_note.isEmpty() ? turnByHand() : m_note;
   case Phase::Ready:
     break;
   }
@@ -314,7 +322,8 @@ std::span<const session::AngleSample> CapturePresenter::samplesFrom(int first) c
 
 void CapturePresenter::onProgress() {
   refreshPhase();
-  if (const QString now = guidance(); now != m_guidance) { // the next angle of a shaft turned by hand
+  m_note = noteSentence(m_bench.progress().note);
+  if (const QString now = guidance(); now != m_guidance) { // the next angle of a shaft turned by hand, a note
     m_guidance = now;
     emit guidanceChanged();
   }

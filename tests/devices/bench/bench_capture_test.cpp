@@ -121,9 +121,9 @@ protected:
     m_bus.plug(encoderReader(m_shaft, -1), {.port = "7"}); // the same one, elsewhere
     return child.get();
   }
-  void expectTheSweepFits() const {
+  void expectTheSweepFits(int samples = points) const {
     const std::string csv = m_folder.read("sweep.csv");
-    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), points + 1) << csv;
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), samples + 1) << csv;
     const auto fitted =
         runCli({"angle", "fit", m_folder.file("sweep.csv"), "--out", m_folder.path(), "--model", "harmonic:1"});
     ASSERT_EQ(fitted.code, 0) << fitted.err;
@@ -198,6 +198,31 @@ TEST_F(BenchCapture, DialoguesOfAnAngleCaptureAreRecorded) {
   EXPECT_EQ(m_folder.listing("said"), "ascii-board-ACM-1.dialogue usdigital-qsb-FT-1.dialogue");
   EXPECT_THAT(m_folder.read("said/usdigital-qsb-FT-1.dialogue"), HasSubstr("> R0E\\r\\n\n"));
   EXPECT_THAT(m_folder.read("said/ascii-board-ACM-1.dialogue"), HasSubstr("straightedge-dialogue 1\n"));
+}
+
+TEST_F(BenchCapture, AShaftThatTurnsIsSampledByABoardThatPrintsBothAngles) {
+  // To and fro from -20° to 380°, 2,000 lines a second.
+  auto device = std::make_shared<CdcAcmDevice>();
+  device->generate([line = 0, next = std::chrono::steady_clock::now()]() mutable {
+    std::string lines;
+    for (; next < std::chrono::steady_clock::now(); next += std::chrono::microseconds(500)) {
+      const double angleDeg = -20.0 + std::abs(0.5 * (line++ % 1600) - 400.0);
+      std::array<char, 48> text{};
+      std::snprintf(text.data(), text.size(), "%.2f\t%.4f\r\n", angleDeg, sensorDeg(angleDeg));
+      lines += text.data();
+    }
+    return lines;
+  });
+  m_bus.plug(device);
+  const auto bench = m_folder.write("both.json", R"({"format": "straightedge-bench", "version": 1, "name": "both",
+    "instruments": [{"instrument": "ascii-board", "roles": ["angle-reference", "angle-sensor"], "serial": "ACM-1",
+      "settings": {"reference_column": 1, "column": 2}}]})");
+  const auto said = runCli({"capture", "angle", "--bench", bench, "--session", m_folder.file("sweep.sedge"), "--csv",
+                            m_folder.file("sweep.csv"), "--points", std::to_string(points), "--rate", "500"});
+  ASSERT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.err, HasSubstr("straightedge-cli: turn the shaft to below 0°, then steadily to 360°\n"));
+  EXPECT_THAT(said.out, HasSubstr("24 points, 720 samples\n"));
+  expectTheSweepFits(720);
 }
 
 TEST_F(BenchCapture, AnInstrumentThatIsNotPluggedInIsNamed) {

@@ -1,5 +1,5 @@
 // Readings of two instruments, scripted with their times, become pairs.
-#include "devices/capture/reading_pairing.h"
+#include "devices/instruments/reading_pairing.h"
 
 #include <gmock/gmock.h>
 
@@ -81,6 +81,23 @@ TEST(ReadingPairing, NothingIsMadeUpBeforeTheFirstReadingOrBackInTime) {
   ASSERT_THAT(pairs, SizeIs(1));
   EXPECT_DOUBLE_EQ(pairs[0].sensorDeg, 11.0);
   EXPECT_EQ(both.rejected(), 2);
+}
+
+TEST(ReadingPairing, MemoryIsBoundedWhereOneSideIsSilent) {
+  auto both = pairing(0.1);
+  constexpr auto most = ReadingPairing::mostWaiting;
+  for (std::size_t i = 0; i < most + 10; ++i) {
+    both.addReference({0.0, 1.0 + 1e-4 * static_cast<double>(i)});
+  }
+  EXPECT_EQ(both.waiting(), most);
+  EXPECT_EQ(both.rejected(), 10) << "given up and counted";
+  auto sensors = pairing(0.1);
+  for (std::size_t i = 0; i < most + 10; ++i) {
+    sensors.addSensor({0.0, 1.0 + 1e-4 * static_cast<double>(i)});
+  }
+  sensors.addReference({0.0, 1.0}); // the first ten are gone: nothing lies before it
+  EXPECT_THAT(sensors.takePairs(), SizeIs(0));
+  EXPECT_EQ(sensors.rejected(), 1);
 }
 
 } // namespace

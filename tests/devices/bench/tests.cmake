@@ -18,3 +18,9 @@ straightedge_add_usb_test(NAME bench_usb
   SOURCES devices/bench/bench_talk_test.cpp devices/bench/opened_bench_test.cpp
   LIBRARIES straightedge::core straightedge::devices
   LABELS devices)
+
+# Streams of benches that are open in the test's own process.
+straightedge_add_usb_test(NAME bench_streams
+  SOURCES devices/bench/bench_stream_test.cpp
+  LIBRARIES straightedge::core straightedge::devices
+  LABELS devices)

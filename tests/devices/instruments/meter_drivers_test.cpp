@@ -159,12 +159,76 @@ TEST(AsciiBoard, AsAReferenceItsZeroIsLostWithThePowerUnlessTheSettingsKnowBette
   EXPECT_FALSE((*absolute)->angleReference()->incrementDeg());
 }
 
+TEST(AsciiBoard, BothAnglesOfALineStreamTogether) {
+  auto line = script({"x", "< 9\\n100,1.5\\n16380,359.5\\n", "!< timed-out", "< 3,-0.5\\nnan,4\\n40,1\\n",
+                      "!< timed-out", "x", "< \\n8192,7\\n", "x", "< \\n8192,370\\n"});
+  SteppingClock clock;
+  auto made = AsciiBoard::make(line, clock,
+                               {{"column", "2"},
+                                {"reference_column", "1"},
+                                {"reference_unit", "count"},
+                                {"reference_counts_per_turn", "16384"}});
+  ASSERT_TRUE(made) << problemOf(made);
+  AngleStream* stream = (*made)->angleStream();
+  ASSERT_NE(stream, nullptr);
+  ASSERT_TRUE(stream->start({.rateHz = 1000.0}));
+  EXPECT_FALSE((*made)->angleReference()->readDeg()) << "single readings and a stream do not go together";
+  const auto first = stream->read();
+  ASSERT_TRUE(first) << problemOf(first);
+  ASSERT_EQ(first->samples.size(), 2U);
+  EXPECT_DOUBLE_EQ(first->samples[0].encoderDeg, 100 * 360.0 / 16384);
+  EXPECT_DOUBLE_EQ(first->samples[0].sensorDeg, 1.5);
+  EXPECT_DOUBLE_EQ(first->samples[1].encoderDeg, -4 * 360.0 / 16384) << "unwrapped the shorter way";
+  const auto second = stream->read();
+  ASSERT_TRUE(second);
+  ASSERT_EQ(second->samples.size(), 2U);
+  EXPECT_EQ(second->rejected, 1);
+  EXPECT_DOUBLE_EQ(second->samples[0].encoderDeg, 3 * 360.0 / 16384);
+  EXPECT_DOUBLE_EQ(second->samples[0].sensorDeg, 359.5);
+  EXPECT_LT(first->samples[1].timeS, second->samples[0].timeS);
+  ASSERT_TRUE(stream->stop());
+  EXPECT_DOUBLE_EQ((*made)->angleReference()->readDeg().value().value, 180.0);
+  EXPECT_DOUBLE_EQ((*made)->angleSensor()->readDeg().value().value, 10.0);
+  expectPlayed(line);
+  EXPECT_THAT(problemOf(AsciiBoard::make(line, clock, {{"reference_label", "enc"}, {"reference_unit", "count"}})),
+              HasSubstr("reference_counts_per_turn"));
+  EXPECT_EQ((*AsciiBoard::make(line, clock, {}))->angleStream(), nullptr);
+}
+
+TEST(AsciiBoard, AFaultBehindReadingsIsToldAfterThem) {
+  auto line = script({"x", "< \\n1.5\\n", "!< overflow", "< 2.5\\n", "!< timed-out"});
+  SteppingClock clock;
+  auto made = AsciiBoard::make(line, clock, {});
+  ReadingStream* stream = (*made)->angleReadings(InstrumentRole::AngleSensor);
+  ASSERT_TRUE(stream->start());
+  EXPECT_EQ(stream->read().value().readings.size(), 1U);
+  EXPECT_FALSE(stream->read());
+  EXPECT_EQ((*made)->lastFault(), TransportFault::Overflow);
+  EXPECT_EQ(stream->read().value().readings.size(), 1U);
+}
+
+TEST(AsciiBoard, ReadingsOfManyArrivalsAreSpreadOverTheTimeSinceTheOneBefore) {
+  // At every look at the clock 1 ms passes: two at the start, one for each of three arrivals.
+  auto line = script({"x", "< \\n1\\n", "< 2\\n3\\n", "< 4\\n", "!< timed-out"});
+  SteppingClock clock;
+  auto made = AsciiBoard::make(line, clock, {});
+  ReadingStream* stream = (*made)->angleReadings(InstrumentRole::AngleSensor);
+  ASSERT_TRUE(stream->start());
+  const auto block = stream->read();
+  ASSERT_TRUE(block);
+  ASSERT_EQ(block->readings.size(), 4U);
+  const double stepS = block->readings[1].timeS - block->readings[0].timeS;
+  EXPECT_GT(stepS, 0.0);
+  EXPECT_NEAR(block->readings[2].timeS - block->readings[1].timeS, stepS, 1e-12);
+  EXPECT_NEAR(block->readings[3].timeS - block->readings[2].timeS, stepS, 1e-12);
+}
+
 TEST(AsciiBoard, AStreamLosesNothingAndCountsWhatIsNoReading) {
   auto line = script({"x", "< .5\\n1.5\\n2.5\\n3.", "!< timed-out", "< 5\\nnan\\n4.5\\n", "!< timed-out", "!< gone"});
   SteppingClock clock;
   auto made = AsciiBoard::make(line, clock, {});
   ASSERT_TRUE(made);
-  ReadingStream* stream = (*made)->angleReadings();
+  ReadingStream* stream = (*made)->angleReadings(InstrumentRole::AngleSensor);
   ASSERT_TRUE(stream->start());
   EXPECT_FALSE((*made)->angleSensor()->readDeg());
   const auto first = stream->read();

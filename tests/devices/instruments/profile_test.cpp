@@ -197,7 +197,7 @@ TEST(Profile, DrivesTheInstrument) {
   ASSERT_TRUE(prepared) << problemOf(prepared);
   EXPECT_EQ(made->identity().serial, "007");
   EXPECT_EQ(made->angleSensor(), nullptr);
-  EXPECT_EQ(made->angleReadings(), nullptr);
+  EXPECT_EQ(made->angleReadings(InstrumentRole::AngleSensor), nullptr);
   EXPECT_EQ(made->resistanceMeter(), nullptr);
   FieldReference* reference = made->fieldReference();
   Thermometer* thermometer = made->thermometer();
@@ -256,15 +256,44 @@ TEST(Profile, TheBoardsThatAreShipped) {
   const auto prepared = board->prepare();
   ASSERT_TRUE(prepared) << problemOf(prepared);
   EXPECT_DOUBLE_EQ(board->angleSensor()->readDeg().value().value, 270.0);
-  ASSERT_NE(board->angleReadings(), nullptr);
-  ASSERT_TRUE(board->angleReadings()->start());
-  EXPECT_EQ(board->angleReadings()->read().value().readings.size(), 2U);
+  ASSERT_NE(board->angleReadings(InstrumentRole::AngleSensor), nullptr);
+  ASSERT_TRUE(board->angleReadings(InstrumentRole::AngleSensor)->start());
+  EXPECT_EQ(board->angleReadings(InstrumentRole::AngleSensor)->read().value().readings.size(), 2U);
   expectPlayed(columns);
 
   auto labels = script({"x", "< 0.1\\nangle (normalized): 0.25\\tangle (rad): 1.5707963267948966\\n"});
   const auto labelled = makeProfileInstrument(labels, clock, *findProfile(set, "ascii_board_labels"));
   EXPECT_DOUBLE_EQ(labelled->angleSensor()->readDeg().value().value, 90.0);
   expectPlayed(labels);
+}
+
+TEST(Profile, SensorAndReferenceInTheSameLinesStreamTogether) {
+  Profile profile;
+  profile.name = "Board of both";
+  ProfileReading sensor;
+  sensor.format.columns = {{.quantity = "sensor", .index = 2, .label = {}, .unit = {}}};
+  ProfileReading reference = sensor;
+  reference.role = InstrumentRole::AngleReference;
+  reference.format.columns = {{.quantity = "encoder", .index = 1, .label = {}, .unit = {}, .scale = 0.5}};
+  profile.readings = {sensor, reference};
+  SteppingClock clock;
+  auto line = script({"x", "< 1\\n700,359\\n10,-1\\n", "!< timed-out"});
+  const auto board = makeProfileInstrument(line, clock, profile);
+  AngleStream* stream = board->angleStream();
+  ASSERT_NE(stream, nullptr);
+  ASSERT_TRUE(stream->start({}));
+  const auto block = stream->read();
+  ASSERT_TRUE(block) << problemOf(block);
+  ASSERT_EQ(block->samples.size(), 2U);
+  EXPECT_DOUBLE_EQ(block->samples[0].encoderDeg, 350.0);
+  EXPECT_DOUBLE_EQ(block->samples[1].encoderDeg, 365.0) << "unwrapped";
+  EXPECT_DOUBLE_EQ(block->samples[1].sensorDeg, 359.0);
+  expectPlayed(line);
+  EXPECT_NE(board->angleReadings(InstrumentRole::AngleReference), nullptr);
+
+  profile.readings[1].format.prefix = "E";
+  auto other = script({"x"});
+  EXPECT_EQ(makeProfileInstrument(other, clock, profile)->angleStream(), nullptr) << "lines of two kinds";
 }
 
 TEST(Profile, TheSchemaHasTheReadersKeys) {

@@ -145,6 +145,41 @@ TEST(Qsb, AStreamIsSpacedByItsStamps) {
   expectPlayed(line);
 }
 
+TEST(Qsb, AFaultBehindStreamedReadingsIsToldAfterThem) {
+  auto line = afterSetUp({"> S0E\\r\\n", "< s 0E 00000000 00000FEF !\\r\\n", "< s 0E 00000001 00000FF0 !",
+                          "!< overflow", "< s 0E 00000002 00000FF9 !", "!< timed-out"});
+  SteppingClock clock;
+  Qsb qsb(line, clock, 1.0, false);
+  ASSERT_TRUE(qsb.prepare());
+  ASSERT_TRUE(qsb.start());
+  EXPECT_EQ(qsb.read().value().readings.size(), 1U);
+  const auto lost = qsb.read();
+  EXPECT_THAT(problemOf(lost), HasSubstr("while streaming"));
+  EXPECT_EQ(qsb.lastFault(), TransportFault::Overflow);
+  EXPECT_EQ(qsb.read().value().readings.size(), 1U);
+}
+
+TEST(StampedTimes, TicksSpaceTheReadingsAndTheQuickestArrivalPlacesThem) {
+  StampedTimes times(0.01);
+  const std::vector<std::uint32_t> first = {0xFFFFFFFE, 0xFFFFFFFF, 1}; // the register goes round
+  auto placed = times.place(first, 5.0);
+  ASSERT_EQ(placed.size(), 3U);
+  EXPECT_NEAR(placed[0], 4.97, 1e-12);
+  EXPECT_NEAR(placed[1], 4.98, 1e-12);
+  EXPECT_NEAR(placed[2], 5.00, 1e-12);
+  placed = times.place(std::vector<std::uint32_t>{2, 3}, 5.05); // 30 ms late: the line was slow
+  EXPECT_NEAR(placed[0], 5.01, 1e-3);
+  EXPECT_NEAR(placed[1], 5.02, 1e-3);
+  placed = times.place(std::vector<std::uint32_t>{6}, 5.04); // quicker than any before: none arrives before it is taken
+  EXPECT_NEAR(placed[0], 5.04, 1e-12);
+  placed = times.place(std::vector<std::uint32_t>{7}, 9.0); // the instrument had paused
+  EXPECT_NEAR(placed[0], 9.0, 1e-12);
+  placed = times.place(std::vector<std::uint32_t>{8}, 8.9);
+  EXPECT_NEAR(placed[0], 9.0, 1e-12) << "never back";
+  times.restart();
+  EXPECT_NEAR(times.place(std::vector<std::uint32_t>{100}, 1.0)[0], 1.0, 1e-12);
+}
+
 TEST(Qsb, SettingsAreChecked) {
   auto line = script({"x"});
   SteppingClock clock;

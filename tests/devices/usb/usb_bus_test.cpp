@@ -218,15 +218,27 @@ TEST(UsbHotplugTest, TellsWhatIsThereWhatComesAndWhatLeavesByEvents) {
   Watcher watcher;
   // An hour between looks: only events can tell in time.
   const UsbHotplug hotplug([&](const auto& change) { watcher.take(change); }, 1h);
-  EXPECT_THAT(watcher.waitFor(1), ElementsAre("+A1"));
+  ASSERT_THAT(watcher.waitFor(1), ElementsAre("+A1"));
   const auto second = bus.plug(teslameter("A2"));
-  EXPECT_THAT(watcher.waitFor(2), ElementsAre("+A1", "+A2"));
+  ASSERT_THAT(watcher.waitFor(2), ElementsAre("+A1", "+A2"));
   bus.unplug(plug);
-  EXPECT_THAT(watcher.waitFor(3), ElementsAre("+A1", "+A2", "-A1"));
+  ASSERT_THAT(watcher.waitFor(3), ElementsAre("+A1", "+A2", "-A1"));
   bus.plug(meter, {.port = "7"});
-  EXPECT_THAT(watcher.waitFor(4), ElementsAre("+A1", "+A2", "-A1", "+A1"));
+  ASSERT_THAT(watcher.waitFor(4), ElementsAre("+A1", "+A2", "-A1", "+A1"));
   bus.unplug(second);
-  EXPECT_THAT(watcher.waitFor(5), ElementsAre("+A1", "+A2", "-A1", "+A1", "-A2"));
+  ASSERT_THAT(watcher.waitFor(5), ElementsAre("+A1", "+A2", "-A1", "+A1", "-A2"));
+}
+
+TEST(UsbHotplugTest, WhatHasLeftButIsStillListedHasLeft) {
+  EmulatedUsb bus;
+  const auto plug = bus.plug(teslameter("A1"));
+  Watcher watcher;
+  const UsbHotplug hotplug([&](const auto& change) { watcher.take(change); }, 1h);
+  ASSERT_THAT(watcher.waitFor(1), ElementsAre("+A1"));
+  bus.tellLeaving(plug);
+  ASSERT_THAT(watcher.waitFor(2), ElementsAre("+A1", "-A1"));
+  ASSERT_THAT(*listUsbDevices(), SizeIs(1)) << "still listed";
+  bus.unplug(plug);
 }
 
 TEST(UsbHotplugTest, WithoutEventsItLooksByItself) {
@@ -235,9 +247,9 @@ TEST(UsbHotplugTest, WithoutEventsItLooksByItself) {
   const UsbHotplug hotplug([&](const auto& change) { watcher.take(change); }, 5ms);
   watcher.waitForFirstCall();
   const auto plug = bus.plug(teslameter("A1"), {.events = false});
-  EXPECT_THAT(watcher.waitFor(1), ElementsAre("+A1"));
+  ASSERT_THAT(watcher.waitFor(1), ElementsAre("+A1"));
   bus.unplug(plug);
-  EXPECT_THAT(watcher.waitFor(2), ElementsAre("+A1", "-A1"));
+  ASSERT_THAT(watcher.waitFor(2), ElementsAre("+A1", "-A1"));
 }
 
 TEST(UsbHotplugTest, EndsAtOnceWhileItWaits) {

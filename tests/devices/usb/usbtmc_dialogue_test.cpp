@@ -69,6 +69,20 @@ TEST_P(UsbTmcReplySizes, AReplyThatFillsRequestAndPacketLeavesNothingForTheNext)
   }
 }
 
+TEST_P(UsbTmcReplySizes, AReplyThatIsFilledToWholePacketsLeavesNothingForTheNext) {
+  // 12 bytes of header and the data are 3 bytes short of two packets, which the device fills up: an empty packet ends
+  // the transfer, and it has to be read with it.
+  const std::size_t packet = GetParam();
+  const auto requested = static_cast<std::uint32_t>(packet * 2 - usbtmc::headerSize - 3);
+  plugInAndOpen({.packet = packet, .padsReplies = true}, {.requestSize = requested});
+  for (const std::size_t size : {std::size_t{requested} - 1, 2 * std::size_t{requested} - 1}) { // and a line feed
+    const auto reply = query("LONG? " + std::to_string(size));
+    ASSERT_TRUE(reply) << size << ": " << reply.error().error.message();
+    ASSERT_EQ(*reply, pattern(size) + "\n") << size;
+    ASSERT_EQ(query("ECHO? then").value(), "then\n") << size;
+  }
+}
+
 TEST_P(UsbTmcReplySizes, MessagesOfEverySizeArriveWhole) {
   plugInAndOpen({.packet = GetParam()}, {.messageSize = 100});
   for (std::size_t size = 1; size < 300; size += size < 12 ? 1 : 23) {

@@ -41,6 +41,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadReply{"StallIn", UsbTmcFault::StallIn, TransportFault::Stalled, "refused"},
                     BadReply{"ShortHeader", UsbTmcFault::ShortHeader, TransportFault::Protocol, "5 bytes is shorter"},
                     BadReply{"WrongTag", UsbTmcFault::WrongTag, TransportFault::Protocol, "carries the tag"},
+                    BadReply{"WrongTagAlone", UsbTmcFault::WrongTagAlone, TransportFault::Protocol, "carries the tag"},
                     BadReply{"WrongInverse", UsbTmcFault::WrongInverse, TransportFault::Protocol, "carries the tag"},
                     BadReply{"WrongMessageId", UsbTmcFault::WrongMessageId, TransportFault::Protocol, "of kind 127"},
                     BadReply{"Babble", UsbTmcFault::Babble, TransportFault::Overflow, "sent more"},
@@ -135,6 +136,16 @@ TEST_F(UsbTmcFaults, StallsClearTheHaltOfTheirEndpointOnly) {
   expectFault(query("ECHO? x"), TransportFault::Stalled);
   EXPECT_EQ(m_device->haltsCleared(UsbTmcDevice::in), 1);
   EXPECT_EQ(m_device->haltsCleared(UsbTmcDevice::out), before);
+  expectNextQueryWorks();
+}
+
+TEST_F(UsbTmcFaults, AfterTooMuchTheEndpointIsClearedAndTheTransferAborted) {
+  plugInAndOpen();
+  expectNextQueryWorks(); // tags 1 to 4
+  m_device->fault(UsbTmcFault::Babble);
+  expectFault(query("ECHO? x"), TransportFault::Overflow);
+  EXPECT_EQ(m_device->haltsCleared(UsbTmcDevice::in), 1);
+  EXPECT_THAT(m_device->abortedTags(), ElementsAre(6));
   expectNextQueryWorks();
 }
 

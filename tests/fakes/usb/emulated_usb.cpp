@@ -215,6 +215,10 @@ void EmulatedUsb::unplug(Plug plug) {
   m_impl->takeFromSysfs(plugged);
 }
 
+void EmulatedUsb::tellLeaving(Plug plug) {
+  umockdev_testbed_uevent(m_impl->testbed.get(), m_impl->at(plug).sysPath.c_str(), "remove");
+}
+
 bool EmulatedUsb::isPlugged(Plug plug) const {
   const Plugged& plugged = m_impl->at(plug);
   const auto held = plugged.controller->device().lock();

@@ -39,6 +39,8 @@ public:
 
   Plug plug(std::shared_ptr<EmulatedDevice> device, const PlugOptions& options = {});
   void unplug(Plug plug);
+  /// The event of its leaving while it is still listed, as for a moment on a real kernel; unplug() is to follow.
+  void tellLeaving(Plug plug);
   bool isPlugged(Plug plug) const; ///< false too after a device left by itself
 
   void letGo(Plug plug); ///< the other program has closed it

@@ -311,6 +311,9 @@ void UsbTmcDevice::sendFaulty(Bytes reply, std::size_t requested) {
     header[1] = static_cast<std::uint8_t>(header[1] % 255 + 1);
     header[2] = static_cast<std::uint8_t>(~header[1] & 0xFF);
     break;
+  case UsbTmcFault::WrongTagAlone:
+    header[1] = static_cast<std::uint8_t>(header[1] % 255 + 1);
+    break;
   case UsbTmcFault::WrongInverse:
     header[2] = header[1];
     break;

@@ -12,13 +12,14 @@ namespace straightedge::fakes {
 /// One thing that goes wrong with the next message or reply; afterwards the device behaves again.
 enum class UsbTmcFault : std::uint8_t {
   None,
-  StallOut,     ///< the message is refused
-  StallIn,      ///< the reply is refused
-  NeverTakes,   ///< the message is not acknowledged (NAK) until it is aborted
-  NeverAnswers, ///< the reply does not come until it is aborted
-  Delay,        ///< the reply comes after Options::delay
-  ShortHeader,  ///< a reply of 5 bytes
-  WrongTag,
+  StallOut,      ///< the message is refused
+  StallIn,       ///< the reply is refused
+  NeverTakes,    ///< the message is not acknowledged (NAK) until it is aborted
+  NeverAnswers,  ///< the reply does not come until it is aborted
+  Delay,         ///< the reply comes after Options::delay
+  ShortHeader,   ///< a reply of 5 bytes
+  WrongTag,      ///< with its own inverse
+  WrongTagAlone, ///< with the inverse of the right one
   WrongInverse,
   WrongMessageId,
   Babble,            ///< a packet longer than wMaxPacketSize

@@ -1,4 +1,4 @@
-#include "devices/capture/reading_pairing.h"
+#include "devices/instruments/reading_pairing.h"
 
 #include <cmath>
 #include <optional>
@@ -34,11 +34,18 @@ void ReadingPairing::addReference(const TimedReading& reading) {
     return;
   }
   m_references.push_back(reading);
+  if (m_references.size() > mostWaiting) {
+    m_references.pop_front();
+    ++m_rejected;
+  }
 }
 
 void ReadingPairing::addSensor(const TimedReading& reading) {
   if (m_sensors.empty() || reading.timeS > m_sensors.back().timeS) {
     m_sensors.push_back(reading);
+  }
+  if (m_sensors.size() > mostWaiting) {
+    m_sensors.pop_front();
   }
 }
 
