@@ -3,6 +3,7 @@ straightedge_add_test(NAME devices_bench
     devices/bench/saved_bench_test.cpp
   LIBRARIES straightedge::devices
   LABELS devices)
+straightedge_join_tests(devices_bench)
 
 # The real program as a child process on emulated instruments.
 straightedge_add_usb_test(NAME bench_cli
@@ -10,4 +11,5 @@ straightedge_add_usb_test(NAME bench_cli
     devices/bench/bench_cli_test.cpp
   LIBRARIES straightedge::core straightedge::devices nlohmann_json::nlohmann_json
   LABELS cli)
+straightedge_join_tests(bench_cli)
 add_dependencies(bench_cli straightedge-cli)
