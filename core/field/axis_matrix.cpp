@@ -21,7 +21,7 @@ namespace {
 /// An axis more than 60° off its package axis has not been turned as the orientation says.
 constexpr double leastResponse = 0.5;
 /// Rows below this share of the largest field do not decide about signs.
-constexpr double signIsCertain = 0.05;
+constexpr double rowDecidesSign = 0.05;
 /// Two axes within about half a degree of each other, or one that is dead.
 constexpr double largestCondition = 100.0;
 
@@ -46,7 +46,7 @@ Result<Columns> fieldsOf(const StepRows& rows, const Columns& values, const std:
   for (const Orientation orientation : allOrientations) {
     signs[static_cast<std::size_t>(orientation)] = signOf(rows, values, orientation);
   }
-  const double certainT = signIsCertain * rows.referenceT.cwiseAbs().maxCoeff();
+  const double certainT = rowDecidesSign * rows.referenceT.cwiseAbs().maxCoeff();
   Columns fields = Columns::Zero(rows.size(), 3);
   for (Eigen::Index i = 0; i < rows.size(); ++i) {
     const Orientation orientation = rows.orientation[static_cast<std::size_t>(i)];

@@ -3,12 +3,14 @@ straightedge_add_test(NAME devices_simulated
     devices/simulated_bench_test.cpp
   LIBRARIES straightedge::devices
   LABELS devices)
+straightedge_join_tests(devices_simulated)
 
 straightedge_add_test(NAME devices_capture
   SOURCES devices/capture_control_test.cpp devices/capture_test.cpp devices/reference_zero_test.cpp
     devices/stream_capture_test.cpp
   LIBRARIES straightedge::devices
   LABELS devices threads)
+straightedge_join_tests(devices_capture)
 
 add_executable(kill_child devices/kill_child.cpp)
 target_link_libraries(kill_child PRIVATE straightedge::devices)
@@ -22,6 +24,7 @@ straightedge_add_test(NAME devices_serial
   SOURCES devices/transport/dialogue_test.cpp devices/transport/serial_port_test.cpp
   LIBRARIES straightedge::devices
   LABELS devices)
+straightedge_join_tests(devices_serial)
 
 find_package(nlohmann_json 3.11 REQUIRED)
 straightedge_add_test(NAME devices_instruments
@@ -32,6 +35,7 @@ straightedge_add_test(NAME devices_instruments
     devices/instruments/qsb_test.cpp
   LIBRARIES straightedge::devices nlohmann_json::nlohmann_json
   LABELS devices)
+straightedge_join_tests(devices_instruments)
 
 include(app/cli/capture.cmake)
 

@@ -4,3 +4,4 @@ straightedge_add_test(NAME cli_capture
   SOURCES app/cli/capture_command_test.cpp app/cli/field_capture_test.cpp
   LIBRARIES straightedge::cli_commands straightedge::devices
   LABELS cli)
+straightedge_join_tests(cli_capture)

@@ -12,6 +12,7 @@ straightedge_add_test(NAME core_angle_models
     core/angle/recommendation_test.cpp
   LIBRARIES straightedge::core
   LABELS core)
+straightedge_join_tests(core_angle_models)
 
 straightedge_add_test(NAME core_angle_data
   SOURCES
@@ -24,3 +25,4 @@ straightedge_add_test(NAME core_angle_data
     core/angle/verification_test.cpp
   LIBRARIES straightedge::core
   LABELS core)
+straightedge_join_tests(core_angle_data core/angle/curve_test.cpp)

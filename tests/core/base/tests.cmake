@@ -3,3 +3,4 @@ straightedge_add_test(NAME core_base
     core/base/json_writer_test.cpp core/base/number_text_test.cpp core/base/sha256_test.cpp
   LIBRARIES straightedge::core
   LABELS core)
+straightedge_join_tests(core_base)

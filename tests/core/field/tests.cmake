@@ -3,12 +3,14 @@ straightedge_add_test(NAME core_field_chain
   SOURCES core/field/chain_test.cpp core/field/sample_chain.cpp
   LIBRARIES straightedge::core
   LABELS core)
+straightedge_join_tests(core_field_chain)
 
 straightedge_add_test(NAME core_field_blocks
   SOURCES core/field/block_figures_test.cpp core/field/campaign_csv_test.cpp core/field/field_fit_test.cpp
     core/field/field_refusals_test.cpp
   LIBRARIES straightedge::core
   LABELS core)
+straightedge_join_tests(core_field_blocks core/field/field_fit_test.cpp)
 
 # all blocks together
 straightedge_add_test(NAME core_field_joint
@@ -16,6 +18,7 @@ straightedge_add_test(NAME core_field_joint
     core/field/uncertainty_test.cpp
   LIBRARIES straightedge::core
   LABELS core)
+straightedge_join_tests(core_field_joint)
 
 # a campaign out of a session; the simulated teslameter makes it
 straightedge_add_test(NAME core_field_session

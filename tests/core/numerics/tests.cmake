@@ -5,3 +5,4 @@ straightedge_add_test(NAME core_numerics
     core/numerics/trigonometric_fit_test.cpp
   LIBRARIES straightedge::core
   LABELS core)
+straightedge_join_tests(core_numerics)

@@ -3,6 +3,7 @@ straightedge_add_test(NAME devices_bench
     devices/bench/saved_bench_test.cpp
   LIBRARIES straightedge::devices
   LABELS devices)
+straightedge_join_tests(devices_bench)
 
 # The real program as a child process on emulated instruments.
 straightedge_add_usb_test(NAME bench_cli
@@ -11,6 +12,7 @@ straightedge_add_usb_test(NAME bench_cli
     devices/bench/field_bench_capture_test.cpp
   LIBRARIES straightedge::core straightedge::devices nlohmann_json::nlohmann_json
   LABELS cli)
+straightedge_join_tests(bench_cli)
 add_dependencies(bench_cli straightedge-cli)
 
 # Benches in the test's own process, on emulated instruments.

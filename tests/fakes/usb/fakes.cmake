@@ -15,6 +15,7 @@ add_library(emulated_usb STATIC
 )
 target_link_libraries(emulated_usb PUBLIC straightedge::build_flags PkgConfig::UMOCKDEV)
 target_compile_options(emulated_usb PRIVATE ${STRAIGHTEDGE_TEST_OPTIONS})
+straightedge_join_tests(emulated_usb)
 
 # The sanitizer's library has to come before umockdev's in the list.
 set(STRAIGHTEDGE_USB_PRELOAD libumockdev-preload.so.0)

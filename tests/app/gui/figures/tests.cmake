@@ -4,6 +4,7 @@ straightedge_add_test(NAME gui_figures
     app/gui/figures/sweep_figures_test.cpp
   LIBRARIES straightedge::figures
   LABELS gui)
+straightedge_join_tests(gui_figures)
 
 straightedge_add_qt_test(NAME gui_report
   SOURCES app/gui/figures/report_test.cpp
