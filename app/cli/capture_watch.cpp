@@ -107,11 +107,12 @@ devices::FieldCaptureProgress CaptureWatch::follow(devices::FieldCapture& captur
     return false;
   });
   if (!unanswered.empty() && !ended.error) {
-    ended.error =
-        Error{ErrorKind::Usage,
-              "nobody confirmed on standard input: " + unanswered + "; everything taken is stored",
-              "run it on a terminal, or give --yes where a script does what is asked, and go on with --resume",
-              {}};
+    ended.error = Error{
+        ErrorKind::Usage,
+        "nobody confirmed on standard input: " + unanswered + "; everything taken is stored",
+        "go on with --resume: on a terminal, with a script that answers each line with Enter, or with --yes where "
+        "all is in place already",
+        {}};
   }
   return ended;
 }

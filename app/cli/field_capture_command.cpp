@@ -13,7 +13,7 @@ void addFieldCapture(CLI::App& capture, std::function<void(std::function<Result<
   const auto request = std::make_shared<FieldCaptureRequest>();
   addCaptureOptions(*field, *request, "campaign", "teslameter");
   field->add_flag("--yes", request->yes,
-                  "Take all that a person is asked to do as done at once: for scripts that set the field themselves");
+                  "Take all that a person is asked to do as done at once, where it is in place already");
 
   const char* group = "Plan";
   field

@@ -104,8 +104,7 @@ Result<std::unique_ptr<BenchSeat>> BenchSeat::make(BenchInstrument wanted, const
   }
   seat->m_name += asked.serial.empty() ? " at " + asked.port : ", serial " + asked.serial;
   for (const InstrumentRole role : asked.roles) {
-    const InstrumentRole kind = role == InstrumentRole::ChamberTemperature ? InstrumentRole::Temperature : role;
-    if (std::ranges::find(canFill, kind) == canFill.end()) {
+    if (std::ranges::find(canFill, abilityFor(role)) == canFill.end()) {
       return fail(ErrorKind::Input, seat->m_name + " cannot fill the role " + std::string(roleWord(role)),
                   "give the role to another instrument", "bench");
     }

@@ -33,6 +33,10 @@ enum class InstrumentRole : std::uint8_t {
 std::string_view roleWord(InstrumentRole role);
 std::optional<InstrumentRole> roleFromWord(std::string_view word);
 
+/// The role that tables and profiles name for instruments that can be given this one on a bench: itself but for
+/// ChamberTemperature.
+InstrumentRole abilityFor(InstrumentRole role);
+
 /// Readings that came since the last look, in order of time.
 struct ReadingBlock {
   std::vector<TimedReading> readings;

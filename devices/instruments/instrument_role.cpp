@@ -30,4 +30,6 @@ std::optional<InstrumentRole> roleFromWord(std::string_view word) {
   return found == roleWords.end() ? std::nullopt : std::optional(found->first);
 }
 
+InstrumentRole abilityFor(InstrumentRole role) { return role == Role::ChamberTemperature ? Role::Temperature : role; }
+
 } // namespace straightedge::devices

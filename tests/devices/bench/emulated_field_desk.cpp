@@ -81,24 +81,25 @@ std::string EmulatedFieldDesk::nmrReply() {
   return "L" + text + "T\r\n";
 }
 
-std::shared_ptr<FtdiDevice> EmulatedFieldDesk::nmr(int leavesAt) {
+std::shared_ptr<FtdiDevice> EmulatedFieldDesk::nmr(int leavesAt, int silentAt) {
   auto device =
       std::make_shared<FtdiDevice>(DeviceIdentity{0x0403, 0x6001, "FTDI", "FT232R USB UART", "NMR-1", 0x0600});
-  device->onBytes([this, leavesAt, asked = 0, raw = device.get()](const std::string& bytes) mutable -> std::string {
-    std::string reply;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-      if (bytes[i] == '\x05') {
-        if (++asked == leavesAt) {
-          raw->unplugAfter(4);
+  device->onBytes(
+      [this, leavesAt, silentAt, asked = 0, raw = device.get()](const std::string& bytes) mutable -> std::string {
+        std::string reply;
+        for (std::size_t i = 0; i < bytes.size(); ++i) {
+          if (bytes[i] == '\x05') {
+            if (++asked == leavesAt) {
+              raw->unplugAfter(4);
+            }
+            reply += asked == silentAt ? "" : nmrReply();
+          } else if (bytes[i] == 'S') { // register 1: locked, data ready
+            reply += "S21\r\n";
+            ++i;
+          }
         }
-        reply += nmrReply();
-      } else if (bytes[i] == 'S') { // register 1: locked, data ready
-        reply += "S21\r\n";
-        ++i;
-      }
-    }
-    return reply;
-  });
+        return reply;
+      });
   return device;
 }
 

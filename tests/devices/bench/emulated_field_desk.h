@@ -26,7 +26,7 @@ public:
 
   /// `leavesAt`: is unplugged in the middle of that reading of its own, counted from 1; 0: never.
   std::shared_ptr<UsbTmcDevice> teslameter(int leavesAt = 0);
-  std::shared_ptr<FtdiDevice> nmr(int leavesAt = 0);
+  std::shared_ptr<FtdiDevice> nmr(int leavesAt = 0, int silentAt = 0); ///< `silentAt`: does not answer once
   std::shared_ptr<UsbTmcDevice> multimeter();
   std::shared_ptr<CdcAcmDevice> chamberThermometer(); ///< always 21.5 °C
 

@@ -179,6 +179,32 @@ TEST_F(FieldBenchCapture, TheNmrUnpluggedInTheMiddleOfAReplyLosesNothing) {
   EXPECT_EQ(m_desk.sent().nmrT.size(), rows.size() + 1);
 }
 
+TEST_F(FieldBenchCapture, ATimeOutIsTriedAgainAsThePlanSaysAndThenTold) {
+  m_bus.plug(m_desk.teslameter());
+  m_bus.plug(m_desk.multimeter());
+  m_bus.plug(m_desk.nmr(0, 3));
+  const std::string plan = "--stages nonlinearity --axes x --fields 0.5 --rows 4";
+  const auto told = alone(plan + " --retries 0 --yes");
+  EXPECT_EQ(told.code, 4) << told.err;
+  EXPECT_THAT(told.err, HasSubstr("Metrolab PT2025 NMR teslameter, serial NMR-1"));
+  EXPECT_THAT(told.err, HasSubstr("or go on with --resume"));
+  EXPECT_EQ(campaign().rows.size(), 2U);
+  EXPECT_EQ(alone("--resume --yes").code, 0);
+  expectRowsAreWhatWasSent(campaign().rows, 0);
+  EXPECT_EQ(campaign().rows.size(), 4U);
+}
+
+TEST_F(FieldBenchCapture, ATimeOutThatIsTriedAgainLeavesNoGap) {
+  m_bus.plug(m_desk.teslameter());
+  m_bus.plug(m_desk.multimeter());
+  m_bus.plug(m_desk.nmr(0, 3));
+  const auto said = alone("--stages nonlinearity --axes x --fields 0.5 --rows 4 --retries 1 --yes");
+  ASSERT_EQ(said.code, 0) << said.err;
+  EXPECT_EQ(said.err.find("set the field"), said.err.rfind("set the field")) << "nothing is asked for again";
+  expectRowsAreWhatWasSent(campaign().rows, 0);
+  EXPECT_EQ(campaign().rows.size(), 4U);
+}
+
 TEST_F(FieldBenchCapture, UnpluggedWhileItWaitsForAPersonItAsksAgainWhenTheInstrumentIsBack) {
   m_bus.plug(m_desk.nmr());
   m_bus.plug(m_desk.multimeter());
