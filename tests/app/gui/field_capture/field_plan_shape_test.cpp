@@ -140,10 +140,10 @@ void FieldPlanShapeTest::stagesSayHowFarTheyAre() {
   stages[3].skipped = true;
   const std::vector<StageLine> lines = stageLines(plan, stages, 0);
   QCOMPARE(lines[0].title, QStringLiteral("Nonlinearity, x"));
-  QCOMPARE(lines[0].state, QStringLiteral("measuring, 2 of 6"));
+  QCOMPARE(lines[0].state, QStringLiteral("measuring, 2 of 10"));
   QVERIFY(lines[0].why.contains(QStringLiteral("everything else rests on it")));
-  // Four of six plateaus of 5 s and 3 rows of 6 s
-  QCOMPARE(lines[0].duration, QStringLiteral("1 min 32 s"));
+  // Eight of ten plateaus of 5 s and 3 rows of 6 s
+  QCOMPARE(lines[0].duration, QStringLiteral("3 min 4 s"));
   QCOMPARE(lines[1].state, QStringLiteral("done, 2 without lock"));
   QCOMPARE(lines[1].duration, QString());
   QCOMPARE(lines[2].state, QStringLiteral("done"));
