@@ -43,7 +43,7 @@ public:
 
   // Live reading
   void setShown(bool shown);                 ///< reads only while somebody looks
-  QString axisText(field::Axis axis) const;  ///< "0.123456 T", a dash without a reading
+  QString axisText(field::Axis axis) const;  ///< in tesla, "0.123456"; a dash without a reading
   QString noiseText(field::Axis axis) const; ///< "1 σ 5.1 µT"; empty until there are enough readings
   QList<Value> values() const;               ///< of the other roles, in a fixed order
   PlotSpec tracePlot() const;                ///< raw readings, seconds before now

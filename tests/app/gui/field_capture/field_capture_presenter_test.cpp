@@ -110,7 +110,7 @@ void FieldCapturePresenterTest::connectShowsReadings() {
     reading.rawT[1] = i % 2 == 0 ? 0.5 : 0.50001;
     emit open.bench.liveReading(reading);
   }
-  QCOMPARE(presenter.axisText(field::Axis::X), QStringLiteral("−0.123456 T"));
+  QCOMPARE(presenter.axisText(field::Axis::X), QStringLiteral("−0.123456"));
   QCOMPARE(presenter.noiseText(field::Axis::X), QStringLiteral("1 σ 0.0 µT"));
   QCOMPARE(presenter.noiseText(field::Axis::Y), QStringLiteral("1 σ 7.1 µT")); // 10 µT/√2
   QStringList texts;
