@@ -223,7 +223,10 @@ void FieldBenchLink::skipStage(int stage, bool skipped) {
   devices::FieldPlan plan = m_document.plan();
   if (hasStage(plan, stage)) {
     setSkipped(plan, stage, skipped);
+    // A step of its own: undone alone, however the plan was edited before and after.
+    m_document.undoStack().beginMacro(skipped ? tr("leave out a stage") : tr("take a stage back in"));
     m_document.setPlan(plan);
+    m_document.undoStack().endMacro();
   }
 }
 

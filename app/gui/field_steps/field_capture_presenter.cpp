@@ -174,6 +174,7 @@ void FieldCapturePresenter::leaveOut(int stage, bool out) {
     showRecorded();
   }
   refreshPhase();
+  emit planChanged();  // its duration is another
   emit phaseChanged(); // the campaign may be complete now, or not any more
 }
 

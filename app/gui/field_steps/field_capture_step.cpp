@@ -11,6 +11,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QVBoxLayout>
 
@@ -65,7 +66,8 @@ FieldCaptureStep::FieldCaptureStep(FieldStepContext context, QWidget* parent)
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFixedWidth(fontMetrics().averageCharWidth() * 52);
+  scroll->setFixedWidth(std::max(fontMetrics().averageCharWidth() * 52,
+                                 column->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width()));
   auto* columns = new QHBoxLayout;
   columns->setSpacing(16);
   columns->addWidget(scroll);

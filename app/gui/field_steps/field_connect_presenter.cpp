@@ -119,7 +119,7 @@ QString FieldConnectPresenter::axisText(field::Axis axis) const {
   if (!m_reading) {
     return noValue;
   }
-  return m_reading->overRange ? tr("over range") : fixedText(m_reading->rawT[field::indexOf(axis)], 6, tr(" T"));
+  return m_reading->overRange ? tr("over range") : fixedText(m_reading->rawT[field::indexOf(axis)], 6, {});
 }
 
 QString FieldConnectPresenter::noiseText(field::Axis axis) const {

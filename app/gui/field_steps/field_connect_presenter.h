@@ -49,7 +49,7 @@ public:
   void setShown(bool shown);                         ///< reads only while somebody looks
   void takeReading(const FieldLiveReading& reading); ///< also of instruments that somebody else reads
   void loseReading();                                ///< there is none now: a number that stays would be made up
-  QString axisText(field::Axis axis) const;          ///< "0.123456 T", a dash without a reading
+  QString axisText(field::Axis axis) const;          ///< in tesla, "0.123456"; a dash without a reading
   QString noiseText(field::Axis axis) const;         ///< "1 σ 5.1 µT"; empty until there are enough readings
   QList<Value> values() const;                       ///< of the other roles, in a fixed order
   PlotSpec tracePlot() const;                        ///< raw readings, seconds before now

@@ -138,7 +138,8 @@ QWidget* FieldConnectStep::makeLiveBox() {
   for (const field::Axis axis : field::allAxes) {
     const auto place = field::indexOf(axis);
     const auto column = static_cast<int>(place);
-    m_axes.at(place) = new ValueLabel(tr("Raw %1").arg(axisLetter(axis)), ValueLabel::Size::Large, QPalette::Link, box);
+    m_axes.at(place) =
+        new ValueLabel(tr("Raw %1 (T)").arg(axisLetter(axis)), ValueLabel::Size::Large, QPalette::Link, box);
     m_axes.at(place)->setObjectName(QStringLiteral("raw_%1").arg(axisLetter(axis)));
     m_noise.at(place) = new QLabel(box);
     m_noise.at(place)->setObjectName(QStringLiteral("noise_%1").arg(axisLetter(axis)));

@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -27,6 +28,22 @@ std::optional<std::size_t> axisAlongField(const devices::FieldStage& stage) {
 }
 
 double orNaN(const std::optional<double>& value) { return value.value_or(std::numeric_limits<double>::quiet_NaN()); }
+
+/// From the beginning on the whole range that the plateaus will cover, so that one sees how far they are.
+void spanPlateaus(const devices::FieldStage& stage, PlotAxis& axis) {
+  const double sign = stage.orientation && field::isMinus(*stage.orientation) ? -1.0 : 1.0;
+  double low = 0.0;
+  double high = 0.0;
+  for (const double fieldT : stage.fieldsT) {
+    low = std::min(low, sign * fieldT);
+    high = std::max(high, sign * fieldT);
+  }
+  const double margin = 0.05 * (high - low);
+  if (margin > 0.0) {
+    axis.minimum = low - margin;
+    axis.maximum = high + margin;
+  }
+}
 
 /// No legend entry for what is not there.
 PlotSeries namedIfFilled(PlotSeries series) {
@@ -112,6 +129,9 @@ PlotSpec FieldLiveTrace::mainPlot() const {
     return spec;
   }
   spec.title = stageWord(m_stage.step, m_stage.axis, m_stage.orientation);
+  if (!devices::isSweep(m_stage)) {
+    spanPlateaus(m_stage, spec.x);
+  }
   if (calibratesThermometer) {
     PlotSeries series = lineSeries({}, SeriesColor::First);
     for (const Row& row : m_rows) {
@@ -178,7 +198,7 @@ PlotSpec FieldLiveTrace::timePlot() const {
   }
   spec.series.append(namedIfFilled(std::move(locked)));
   spec.series.append(namedIfFilled(std::move(unlocked)));
-  spec.note = sayTrace("Reading − reference on each plateau or sweep, from its first locked row on");
+  spec.note = sayTrace("From the first locked row of each plateau or sweep on");
   return spec;
 }
 

@@ -37,6 +37,8 @@ bool hasPlanarHall(const devices::SimulatedFieldSettings& settings) {
 QComboBox* fieldBenchChoice(QWidget* parent, const QString& name) {
   auto* box = new QComboBox(parent);
   box->setObjectName(name);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // the column decides
+  box->setMinimumContentsLength(12);
   return box;
 }
 
@@ -57,7 +59,7 @@ SimulatedFieldForm::SimulatedFieldForm(QWidget* parent)
   m_planarHall->setToolTip(tr("Two fields across an axis add to its reading. The correction has no block for it: what "
                               "it leaves is seen in Verify."));
   m_placing->addItem(tr("By the bench"), false);
-  m_placing->addItem(tr("By hand: the campaign waits for you"), true);
+  m_placing->addItem(tr("By hand: the campaign waits"), true);
   m_placing->setToolTip(tr("By hand the campaign stops at every placement and says what is to be done, as on a bench "
                            "without a carrier"));
   m_speed->addItem(tr("As fast as possible"), false);

@@ -51,6 +51,7 @@ StageList::StageList(QWidget* parent) : QWidget(parent), m_tree(new QTreeWidget(
   layout->setContentsMargins(0, 0, 0, 0);
   m_tree->setObjectName(QStringLiteral("captureStages"));
   m_tree->setHeaderLabels({tr("Stage"), tr("State"), tr("Still takes"), tr("Attempt"), tr("Why")});
+  m_tree->headerItem()->setToolTip(ListTime, tr("Expected on a bench in real time, without your own handling"));
   m_tree->setRootIsDecorated(false);
   m_tree->setUniformRowHeights(true);
   m_tree->setAllColumnsShowFocus(true);
@@ -190,7 +191,7 @@ int StageList::current() const {
 void StageList::setCurrent(int stage) {
   if (QTreeWidgetItem* item = m_tree->topLevelItem(stage); item != nullptr && item != m_tree->currentItem()) {
     m_tree->setCurrentItem(item);
-    m_tree->scrollToItem(item);
+    m_tree->scrollToItem(item, QAbstractItemView::PositionAtCenter); // what comes next is in sight
   }
 }
 

@@ -4,8 +4,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace straightedge::gui {
 
@@ -110,6 +113,8 @@ void ConnectColumn::addBench(const QString& title, const QString& about, QWidget
   m_forms.append({form, connects}); // before the tab is there: it becomes the current one
   m_benches->addTab(page, title);
   m_box->setTitle(m_benches->count() == 1 ? title : tr("Bench"));
+  const int needed = widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width();
+  setFixedWidth(std::max(width(), needed));
 }
 
 void ConnectColumn::showConnection(const Connection& connection) {

@@ -1,5 +1,6 @@
 // A field calibration from the start page to the exported report by mouse and keyboard: the truth of the simulated
 // bench has to come back.
+#include "app/gui/figures/field_figure_parts.h"
 #include "app/gui/shell/field_workspace.h"
 #include "app/gui/shell/program_start.h"
 #include "core/field/chain.h"
@@ -199,7 +200,8 @@ void FieldWholeWayTest::exportTo(const QString& folder) {
   // The figures that Verify shows are those of the report.
   const field::LimitReport& verified = *document().verification();
   for (const field::VerificationRow& row : verified.verification.rows) {
-    QVERIFY2(text.contains(QString::number(row.peakPercent, 'f', 4)), qPrintable(QString::number(row.peakPercent)));
+    const QString peak = peopleNumber(row.ofFullScale.peak);
+    QVERIFY2(text.contains(peak), qPrintable(peak));
   }
   int files = 0;
   for (QDirIterator all(folder, QDir::Files, QDirIterator::Subdirectories); all.hasNext(); ++files) {

@@ -168,6 +168,7 @@ void FieldCapturePagesTest::guidedByTheKeyboard() {
 
 void FieldCapturePagesTest::stagesByKeyboardAndButtons() {
   ShownField shown(makeFieldCaptureStep);
+  QVERIFY(QTest::qWaitForWindowActive(shown.page.get())); // shortcuts are the active window's
   QVERIFY(shown.open.connectFast());
   shown.open.document.setPlan(smallCampaign({field::CampaignStep::Orientation}));
   auto& stages = shown.find<QTreeWidget>("captureStages");

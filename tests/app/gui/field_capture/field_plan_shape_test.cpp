@@ -140,10 +140,10 @@ void FieldPlanShapeTest::stagesSayHowFarTheyAre() {
   stages[3].skipped = true;
   const std::vector<StageLine> lines = stageLines(plan, stages, 0);
   QCOMPARE(lines[0].title, QStringLiteral("Nonlinearity, x"));
-  QCOMPARE(lines[0].state, QStringLiteral("measuring, 2 of 6"));
+  QCOMPARE(lines[0].state, QStringLiteral("measuring, 2 of 10"));
   QVERIFY(lines[0].why.contains(QStringLiteral("everything else rests on it")));
-  // Four of six plateaus of 5 s and 3 rows of 6 s
-  QCOMPARE(lines[0].duration, QStringLiteral("1 min 32 s"));
+  // Eight of ten plateaus of 5 s and 3 rows of 6 s
+  QCOMPARE(lines[0].duration, QStringLiteral("3 min 4 s"));
   QCOMPARE(lines[1].state, QStringLiteral("done, 2 without lock"));
   QCOMPARE(lines[1].duration, QString());
   QCOMPARE(lines[2].state, QStringLiteral("done"));
@@ -196,6 +196,8 @@ void FieldPlanShapeTest::traceShowsTheLatestAttempt() {
   const PlotSpec main = trace.mainPlot();
   QCOMPARE(main.series.size(), 3);
   QCOMPARE(main.series[0].x, QList<double>{-0.5});
+  QVERIFY(main.x.minimum && std::abs(*main.x.minimum + 1.575) < 1e-9); // the whole stage: 0.5 to 1.5 T, minus forwards
+  QVERIFY(main.x.maximum && std::abs(*main.x.maximum - 0.075) < 1e-9);
   QVERIFY(std::abs(main.series[0].y[0] - 20.0) < 1e-9); // −0.48 T is 20 mT above −0.5 T
   QVERIFY(std::abs(main.series[1].y[0] - 10.0) < 1e-9); // across the field: as it reads
   const PlotSpec time = trace.timePlot();

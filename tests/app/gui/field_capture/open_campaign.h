@@ -26,7 +26,7 @@ inline devices::SimulatedFieldSettings fastField(bool byHand = false) {
 inline devices::FieldPlan smallCampaign(std::vector<field::CampaignStep> steps = {}) {
   devices::FieldPlanShape shape;
   shape.steps = std::move(steps);
-  shape.fieldsT = {-2.0, -1.0, -0.5, 0.5, 1.0, 2.0};
+  shape.fieldsT = {-2.0, -1.5, -1.0, -0.5, -0.1, 0.1, 0.5, 1.0, 1.5, 2.0};
   shape.rows = 3;
   shape.sweepRows = 20;
   shape.rowS = 6.0;

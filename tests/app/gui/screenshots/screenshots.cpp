@@ -154,7 +154,9 @@ void walkFieldBench(MainWindow& window, Album& album) {
   connectBench();
   driver.click(QStringLiteral("startCapture"));
   const auto waits = [&] { return !bench.progress().waitingFor.empty(); };
-  QTest::qWaitFor(waits, waitMs);
+  if (!QTest::qWaitFor(waits, waitMs)) {
+    qFatal("the bench does not wait");
+  }
   album.take(QStringLiteral("capture-waiting"));
   const auto reachesStage = [&](int stage) {
     if (waits() && bench.progress().stage < stage) {
@@ -162,7 +164,9 @@ void walkFieldBench(MainWindow& window, Album& album) {
     }
     return bench.progress().stage >= stage && waits();
   };
-  QTest::qWaitFor([&] { return reachesStage(15); }, waitMs); // orientations: some stages are done
+  if (!QTest::qWaitFor([&] { return reachesStage(15); }, waitMs)) { // orientations: some stages are done
+    qFatal("no orientations");
+  }
   bench.skipStage(17, true);
   bench.skipStage(18, true);
   album.take(QStringLiteral("capture-left-out"));
