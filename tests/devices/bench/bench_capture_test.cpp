@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
@@ -146,11 +147,13 @@ TEST_F(BenchCapture, UnpluggedInTheMiddleNothingIsLost) {
 }
 
 TEST_F(BenchCapture, AShaftThatTurnsIsSampledByABoardThatPrintsBothAngles) {
-  // To and fro from -20° to 380°, 2,000 lines a second.
+  // To and fro from -20° to 380°, 2,000 lines a second where the machine keeps up with them.
   auto device = std::make_shared<CdcAcmDevice>();
   device->generate([line = 0, next = std::chrono::steady_clock::now()]() mutable {
     std::string lines;
-    for (; next < std::chrono::steady_clock::now(); next += std::chrono::microseconds(500)) {
+    const auto now = std::chrono::steady_clock::now();
+    next = std::max(next, now - std::chrono::milliseconds(20));
+    for (; next < now; next += std::chrono::microseconds(500)) {
       const double angleDeg = -20.0 + std::abs(0.5 * (line++ % 1600) - 400.0);
       std::array<char, 48> text{};
       std::snprintf(text.data(), text.size(), "%.2f\t%.4f\r\n", angleDeg, sensorDeg(angleDeg));
@@ -165,7 +168,6 @@ TEST_F(BenchCapture, AShaftThatTurnsIsSampledByABoardThatPrintsBothAngles) {
   const auto said = runCli({"capture", "angle", "--bench", bench, "--session", m_folder.file("sweep.sedge"), "--csv",
                             m_folder.file("sweep.csv"), "--points", std::to_string(points), "--rate", "500"});
   ASSERT_EQ(said.code, 0) << said.err;
-  EXPECT_THAT(said.err, HasSubstr("straightedge-cli: turn the shaft to below 0°, then steadily to 360°\n"));
   EXPECT_THAT(said.out, HasSubstr("24 points, 720 samples\n"));
   expectTheSweepFits(720);
 }
