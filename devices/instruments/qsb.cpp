@@ -17,7 +17,7 @@ constexpr std::uint8_t registerCount = 0x0E;
 constexpr std::uint8_t registerVersion = 0x14;
 constexpr std::uint8_t registerReplyFormat = 0x15;
 
-constexpr Milliseconds patience{500};
+constexpr Milliseconds patience{2000}; // it answers within milliseconds; a busy computer may not
 /// Arrivals of a stream that are taken in one go.
 constexpr int mostReads = 128;
 constexpr int mostForeignReplies = 200; ///< stream lines and banner that may come before the reply to a command

@@ -31,13 +31,17 @@ void PostedReads::submit(Slot& slot) {
   }
 }
 
-void PostedReads::post() {
-  m_broken.reset();
+void PostedReads::submitAll() {
   for (Slot& slot : m_slots) {
-    if (!slot.posted) {
+    if (!slot.posted && !m_broken) {
       submit(slot);
     }
   }
+}
+
+void PostedReads::post() {
+  m_broken.reset();
+  submitAll();
 }
 
 bool PostedReads::anyPosted() const {
@@ -67,7 +71,7 @@ void PostedReads::ended(libusb_transfer* transfer) {
     reads.m_arrived.emplace_back(slot.buffer.begin(), slot.buffer.begin() + size);
   }
   if (transfer->status == LIBUSB_TRANSFER_COMPLETED) {
-    if (!reads.m_takingBack && !reads.m_broken) {
+    if (!reads.m_takingBack && !reads.m_broken && reads.m_arrived.size() < mostArrived) {
       reads.submit(slot);
     }
   } else if (transfer->status != LIBUSB_TRANSFER_CANCELLED) {
@@ -78,6 +82,9 @@ void PostedReads::ended(libusb_transfer* transfer) {
 std::vector<std::uint8_t> PostedReads::takeOldest() {
   auto oldest = std::move(m_arrived.front());
   m_arrived.pop_front();
+  if (m_arrived.size() == mostArrived / 2) {
+    submitAll();
+  }
   return oldest;
 }
 

@@ -11,7 +11,8 @@
 namespace straightedge::devices {
 
 /// Thread: the one that handles the context's events. The reads end in the order they were posted, each is posted again
-/// at its end, so that the bytes stay in order.
+/// at its end, so that the bytes stay in order. While `mostArrived` wait to be taken none is posted again: the device
+/// then keeps its bytes, as far as it can, instead of filling memory, or holding on to a thread that is slower than it.
 class PostedReads {
 public:
   PostedReads(libusb_context* context, libusb_device_handle* handle, std::uint8_t endpoint, unsigned char type)
@@ -19,6 +20,8 @@ public:
   ~PostedReads() { takeBack(); }
   PostedReads(const PostedReads&) = delete;
   PostedReads& operator=(const PostedReads&) = delete;
+
+  static constexpr std::size_t mostArrived = 256;
 
   std::uint8_t endpoint() const { return m_endpoint; }
 
@@ -41,6 +44,7 @@ private:
   };
   static void ended(libusb_transfer* transfer);
   void submit(Slot& slot);
+  void submitAll(); ///< those that are not posted
   bool anyPosted() const;
 
   libusb_context* m_context;

@@ -150,7 +150,7 @@ UsbResult<std::vector<std::uint8_t>> UsbHandle::nextRead(std::uint8_t endpoint, 
   const std::stop_callback wake(m_impl->stop, Waker{m_impl->context.get()});
   const auto end = Clock::now() + std::min(deadline, longestWait);
   for (bool looked = false;; looked = true) {
-    if (reads->hasArrived() && (looked || reads->broken())) {
+    if (reads->hasArrived()) { // what the system holds beside it comes when this is taken
       return reads->takeOldest();
     }
     if (m_impl->stop.stop_requested()) {

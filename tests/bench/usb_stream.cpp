@@ -14,6 +14,7 @@
 #include <QElapsedTimer>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
@@ -51,10 +52,20 @@ std::string lineOf(double encoderDeg) {
 
 std::shared_ptr<fakes::CdcAcmDevice> boardOn(TurnedShaft& shaft) {
   auto board = std::make_shared<fakes::CdcAcmDevice>();
-  board->generate([&shaft, began = std::chrono::steady_clock::now(), printed = std::int64_t{0}]() mutable {
+  board->generate([&shaft, began = std::chrono::steady_clock::now(), printed = std::int64_t{0},
+                   frame = std::int64_t{-1}]() mutable {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began;
+    const auto nowFrame = static_cast<std::int64_t>(passed.count() * 1000.0);
+    if (nowFrame == frame) {
+      return std::string(); // a full-speed device is asked once in a frame of 1 ms
+    }
+    frame = nowFrame;
+    const auto due = static_cast<std::int64_t>(passed.count() * shaft.rateHz);
+    if (!shaft.turning) { // while nobody listens its buffer is full; in the sweep nothing may be left out
+      printed = std::max(printed, due - 100);
+    }
     std::string lines;
-    for (; static_cast<double>(printed) < passed.count() * shaft.rateHz; ++printed) {
+    for (; printed < due; ++printed) {
       lines += lineOf(shaft.next());
     }
     return lines;
@@ -103,7 +114,8 @@ private:
 const std::map<std::string, const char*> parts = {{"main", "window"},
                                                   {"capture", "capture: libusb, transport, parser, sink"},
                                                   {"session", "session's own commits"},
-                                                  {"libusb_event", "libusb's event thread"}};
+                                                  {"libusb_event", "libusb's event thread"},
+                                                  {"Thread", "window: jobs"}};
 
 void printShares(const Shares& shares) {
   double program = 0.0;

@@ -189,6 +189,20 @@ TEST_P(UsbSerial, AStreamOfLinesIsWhole) {
   }
 }
 
+TEST_P(UsbSerial, ABoardThatIsFasterThanTheProgramKeepsItsBytes) {
+  plugIn();
+  open();
+  int next = 0;
+  m_device->generate([&next] { return std::to_string(next++) + "\n"; }); // always more, however quickly it is asked
+  for (int i = 0; i < 1000; ++i) {
+    const auto line = m_line->readUntil("\n", generous);
+    ASSERT_TRUE(line) << i << ": " << line.error().error.message();
+    ASSERT_EQ(*line, std::to_string(i) + "\n");
+  }
+  const auto held = m_device->lock();
+  EXPECT_LT(next, 1000 + 500) << "no more is taken than is kept here";
+}
+
 TEST_P(UsbSerial, ATimeOutKeepsTheLineThatHasBegun) {
   plugIn();
   open();

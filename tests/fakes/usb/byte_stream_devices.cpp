@@ -102,7 +102,7 @@ std::string ByteStreamDevice::giveBytes(std::uint8_t endpoint, std::size_t most)
   if (m_generator) {
     m_toHost += m_generator();
   }
-  std::size_t count = std::min(most, m_toHost.size());
+  std::size_t count = std::min(most, m_toHost.size() - m_given);
   if (m_leaveAfter) {
     count = std::min(count, *m_leaveAfter);
     *m_leaveAfter -= count;
@@ -111,8 +111,12 @@ std::string ByteStreamDevice::giveBytes(std::uint8_t endpoint, std::size_t most)
       unplugNow();
     }
   }
-  auto bytes = m_toHost.substr(0, count);
-  m_toHost.erase(0, count);
+  auto bytes = m_toHost.substr(m_given, count);
+  m_given += count;
+  if (m_given == m_toHost.size() || m_given > 65536) { // now and then: a stream that waits may be long
+    m_toHost.erase(0, m_given);
+    m_given = 0;
+  }
   return bytes;
 }
 

@@ -49,13 +49,17 @@ protected:
   Handshake takeBytes(std::uint8_t endpoint, const Bytes& packet);
   std::string giveBytes(std::uint8_t endpoint, std::size_t most);
   void setLine(const LineState& line);
-  void dropToHost() { m_toHost.clear(); }
+  void dropToHost() {
+    m_toHost.clear();
+    m_given = 0;
+  }
 
 private:
   Handler m_handler;
   Generator m_generator;
   LineWatcher m_watcher;
   std::string m_toHost;
+  std::size_t m_given = 0; ///< of m_toHost, already
   std::string m_received;
   LineState m_line;
   bool m_stallRead = false;

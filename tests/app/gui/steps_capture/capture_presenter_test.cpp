@@ -18,6 +18,7 @@ private slots:
   void redoesMeasuredPointsOnly();
   void faultIsAPhaseOfItsOwn();
   void asksBeforeReplacing();
+  void saysWhereTheShaftIsToBeTurned();
 };
 
 void CapturePresenterTest::needsBench() {
@@ -71,6 +72,25 @@ void CapturePresenterTest::runsToTheEnd() {
   QCOMPARE(presenter.samplesText(), QStringLiteral("64 readings"));
   QCOMPARE(presenter.trace().errorPlot().series[0].x.size(), 32);
   QCOMPARE(presenter.trace().errorPlot().series[1].x.size(), 32);
+}
+
+void CapturePresenterTest::saysWhereTheShaftIsToBeTurned() {
+  OpenCalibration open;
+  CapturePresenter presenter(open.document, open.bench);
+  auto simulated = std::make_shared<devices::SimulatedAngleBench>(devices::SimulatedAngleSettings{});
+  devices::AngleBench byHand = simulated->bench();
+  byHand.stage = nullptr; // it stands at 0° until somebody turns it
+  QVERIFY(open.bench.connectBench(byHand, simulated).has_value());
+  devices::AnglePlan plan = planOf(16);
+  plan.sampleRateHz = 100.0;
+  presenter.setPlan(plan);
+  QSignalSpy changed(&presenter, &CapturePresenter::phaseChanged);
+  presenter.start();
+  QTRY_COMPARE(presenter.guidance(), QStringLiteral("Turn the shaft to below 0°, then steadily to 360°."));
+  QVERIFY(changed.count() > 0);
+  QSignalSpy ended(&open.bench, &BenchLink::captureEnded);
+  presenter.stop();
+  QTRY_COMPARE(ended.count(), 1);
 }
 
 void CapturePresenterTest::pausesResumesStopsAndContinues() {
