@@ -24,8 +24,8 @@ QString coverageText(const field::OrientationCoverage& covered) {
   const double low = std::min(std::abs(covered.smallestT), std::abs(covered.largestT));
   const double high = std::max(std::abs(covered.smallestT), std::abs(covered.largestT));
   const QString rows = covered.rows == 1 ? QStringLiteral("1 row, ") : QStringLiteral("%1 rows, ").arg(covered.rows);
-  const QString from = peopleNumber(low);
-  const QString to = peopleNumber(high);
+  const QString from = QString::number(low, 'g', 3); // no digits that say nothing: "0.5 to 1.5"
+  const QString to = QString::number(high, 'g', 3);
   return rows + (from == to ? to : from + QStringLiteral(" to ") + to) + QStringLiteral(" T");
 }
 
@@ -110,8 +110,8 @@ DirectionsSpec axisDirections(const Eigen::Matrix3d& matrix) {
     spec.directions.append(direction);
   }
   spec.note = QStringLiteral("Tilts are drawn %1 times as large; between the axes: x and y %2, x and z %3, y and z %4")
-                  .arg(peopleNumber(spec.exaggeration), degreesText(between[0], 2), degreesText(between[1], 2),
-                       degreesText(between[2], 2));
+                  .arg(QString::number(spec.exaggeration, 'g', 6), degreesText(between[0], 2),
+                       degreesText(between[1], 2), degreesText(between[2], 2));
   if (spec.exaggeration <= 1.0) {
     spec.note.replace(QStringLiteral("Tilts are drawn 1 times as large"),
                       QStringLiteral("Tilts are drawn as they are"));

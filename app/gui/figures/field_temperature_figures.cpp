@@ -39,19 +39,15 @@ LoopBranches branchesOf(const field::ProbeTemperatureReport& report, const Eigen
 QString probeNote(const field::ProbeTemperatureReport& report) {
   QStringList parts;
   if (report.hysteresisC) {
-    parts << QStringLiteral("Loop as recorded %1 °C wide in the mean").arg(peopleNumber(*report.hysteresisC, 2));
-  }
-  if (report.lagS) {
-    parts << QStringLiteral("lag %1 s").arg(peopleNumber(*report.lagS, 3));
-    if (report.loopLeftC) {
-      parts << QStringLiteral("with the lag taken away %1 °C").arg(peopleNumber(*report.loopLeftC, 2));
+    QString loop = QStringLiteral("Loop %1 °C wide as recorded").arg(peopleNumber(*report.hysteresisC, 2));
+    if (report.lagS && report.loopLeftC) {
+      loop += QStringLiteral(", %1 °C with the lag of %2 s taken away")
+                  .arg(peopleNumber(*report.loopLeftC, 2), peopleNumber(*report.lagS, 3));
     }
+    parts << loop;
   }
-  parts << QStringLiteral("standard uncertainty of a temperature %1 °C")
-               .arg(peopleNumber(report.standardUncertaintyC, 2));
-  QString note = parts.join(QStringLiteral("; "));
-  note[0] = note[0].toUpper();
-  return note;
+  parts << QStringLiteral("Standard uncertainty %1 °C").arg(peopleNumber(report.standardUncertaintyC, 2));
+  return parts.join(QStringLiteral(". "));
 }
 
 } // namespace

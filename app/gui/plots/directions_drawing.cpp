@@ -5,7 +5,6 @@
 #include "app/gui/plots/scene_shapes.h"
 #include "app/gui/plots/theme.h"
 
-#include <QLineF>
 #include <QPainter>
 
 #include <algorithm>
@@ -25,7 +24,7 @@ public:
     for (const MeasuredDirection& direction : m_spec.directions) {
       sum = sum + directionOf(direction.nominal);
     }
-    m_ball = {sum * (1.0 / std::max<double>(1.0, static_cast<double>(m_spec.directions.size()))), 1.0};
+    m_ball = {sum * (1.0 / std::max<double>(1.0, static_cast<double>(m_spec.directions.size()))), 0.9, {110.0, 28.0}};
   }
 
   SceneBall ball() const override { return m_ball; }
@@ -57,15 +56,16 @@ public:
               PlotTheme theme) const override {
     const PlotColors colors = PlotColors::of(theme);
     const PlotFonts fonts = PlotFonts::standard();
-    SceneLettering lettering(painter, area);
+    SceneLettering lettering(painter, area, colors.background);
     const QPointF origin = projection.at({});
+    QPointF middle = origin; // of all ends: labels stand outside
+    for (const MeasuredDirection& direction : m_spec.directions) {
+      middle += projection.at(drawn(direction));
+    }
+    middle /= static_cast<double>(m_spec.directions.size()) + 1.0;
     for (const MeasuredDirection& direction : m_spec.directions) {
       const QColor color = PlotColors::series(direction.color, theme);
-      const QPointF tip = projection.at(drawn(direction));
-      const QPointF thin = projection.at(directionOf(direction.nominal));
-      constexpr double apart = 12.0; // away from the thin axis where that is not behind the arrow
-      lettering.writeBeside(tip, QLineF(tip, thin).length() > apart ? thin : origin, {direction.label}, fonts.axisTitle,
-                            color, color);
+      lettering.writeBeside(projection.at(drawn(direction)), middle, {direction.label}, fonts.axisTitle, color, color);
     }
     for (const MeasuredDirection& direction : m_spec.directions) {
       lettering.writeBeside(projection.at(directionOf(direction.nominal) * nominalReach), origin,

@@ -24,8 +24,11 @@ SceneVector SceneVector::unit() const {
 SceneEye eyeOf(const SceneCamera& camera, const SceneBall& ball, const QSizeF& size) {
   const double azimuth = camera.azimuth * std::numbers::pi / 180.0;
   const double elevation = camera.elevation * std::numbers::pi / 180.0;
-  const double upright = std::max(1.0, size.height() / std::max(1.0, size.width()));
-  const double distance = upright * ball.radius / std::sin(0.5 * viewAngleDeg * std::numbers::pi / 180.0) / camera.zoom;
+  // The view angle is that of the height: how much smaller the ball has to be than that.
+  const auto left = [](double length, double room) { return std::max(0.4 * length, length - 2.0 * room); };
+  const double room = size.height() / std::max(1.0, std::min(left(size.height(), ball.roomPixels.height()),
+                                                             left(size.width(), ball.roomPixels.width())));
+  const double distance = room * ball.radius / std::sin(0.5 * viewAngleDeg * std::numbers::pi / 180.0) / camera.zoom;
   const SceneVector away{std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                          std::sin(elevation)};
   const SceneVector position = ball.middle + away * distance;
@@ -38,9 +41,9 @@ SceneEye eyeOf(const SceneCamera& camera, const SceneBall& ball, const QSizeF& s
   } else {
     eye.up = {0.0, 0.0, 1.0};
   }
-  constexpr double room = 1.3; // beyond the ball: walls and labels
-  eye.nearest = std::max(0.01 * distance, distance - room * ball.radius);
-  eye.farthest = distance + room * ball.radius;
+  constexpr double beyond = 1.3; // of the ball: corners, thin axes
+  eye.nearest = std::max(0.01 * distance, distance - beyond * ball.radius);
+  eye.farthest = distance + beyond * ball.radius;
   return eye;
 }
 

@@ -1,6 +1,5 @@
 #include "app/gui/plots/scene_lettering.h"
 
-#include <QColor>
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QStringList>
@@ -53,10 +52,15 @@ void SceneLettering::writeBeside(const QPointF& point, const QPointF& awayFrom, 
   m_painter.setFont(font);
   const int side = away.x() > 0.3 ? Qt::AlignLeft : away.x() < -0.3 ? Qt::AlignRight : Qt::AlignHCenter;
   for (qsizetype i = 0; i < lines.size(); ++i) {
-    m_painter.setPen(i == 0 ? first : others);
     const QRectF line(place.left(), place.top() + static_cast<double>(i) * metrics.height(), place.width(),
                       metrics.height());
-    m_painter.drawText(line, side | Qt::AlignVCenter | Qt::TextDontClip, lines[i]);
+    const int flags = side | Qt::AlignVCenter | Qt::TextDontClip;
+    m_painter.setPen(m_halo);
+    for (const QPointF& aside : {QPointF(-1, 0), QPointF(1, 0), QPointF(0, -1), QPointF(0, 1)}) {
+      m_painter.drawText(line.translated(aside), flags, lines[i]);
+    }
+    m_painter.setPen(i == 0 ? first : others);
+    m_painter.drawText(line, flags, lines[i]);
   }
 }
 

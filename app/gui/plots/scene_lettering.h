@@ -1,12 +1,12 @@
 // Texts of three-dimensional pictures that keep clear of one another. Private to plots.
 #pragma once
 
+#include <QColor>
 #include <QList>
 #include <QPointF>
 #include <QRectF>
 #include <QString>
 
-class QColor;
 class QFont;
 class QPainter;
 
@@ -15,7 +15,9 @@ namespace straightedge::gui {
 /// Remembers where it has written.
 class SceneLettering {
 public:
-  SceneLettering(QPainter& painter, const QRectF& area) : m_painter(painter), m_area(area) {}
+  /// `halo`: colour of the background, drawn about texts beside points so that they can be read over anything.
+  SceneLettering(QPainter& painter, const QRectF& area, const QColor& halo)
+      : m_painter(painter), m_area(area), m_halo(halo) {}
 
   /// Not over a text that is there already: false, and nothing is written.
   bool writeIfFree(const QRectF& place, const QString& text);
@@ -24,13 +26,14 @@ public:
   void writeBeside(const QPointF& point, const QPointF& awayFrom, const QStringList& lines, const QFont& font,
                    const QColor& first, const QColor& others);
 
-  const QList<QRectF>& taken() const { return m_taken; }
+  const QList<QRectF>& taken() const { return m_taken; } ///< so far
 
 private:
   bool isFree(const QRectF& place) const;
 
   QPainter& m_painter;
   QRectF m_area;
+  QColor m_halo;
   QList<QRectF> m_taken;
 };
 

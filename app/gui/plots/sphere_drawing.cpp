@@ -27,7 +27,7 @@ class SphereDrawing : public SceneDrawing {
 public:
   explicit SphereDrawing(const SphereSpec& spec) : m_spec(spec) {}
 
-  SceneBall ball() const override { return {{}, 1.3}; }
+  SceneBall ball() const override { return {{}, 1.0, {92.0, 58.0}}; }
 
   SceneGeometry geometry(const SceneCamera& /*camera*/, PlotTheme theme, double pixelRatio) const override {
     SceneGeometry geometry;
@@ -73,7 +73,7 @@ public:
               PlotTheme theme) const override {
     const PlotColors colors = PlotColors::of(theme);
     const PlotFonts fonts = PlotFonts::standard();
-    SceneLettering lettering(painter, area);
+    SceneLettering lettering(painter, area, colors.background);
     const QPointF middle = projection.at({});
     QList<const SphereMark*> order; // those in front first: they get the best places
     for (const SphereMark& mark : m_spec.marks) {
@@ -94,7 +94,8 @@ public:
       painter.setPen(QPen(colors.axis, 1.0));
       painter.drawLine(at, beside);
       lettering.writeBeside(beside, middle,
-                            {mark->name + (behind ? QStringLiteral(" (behind)") : QString()), mark->detail},
+                            QStringList(mark->name + (behind ? QStringLiteral(" (behind)") : QString())) +
+                                mark->detail.split(QStringLiteral(", ")),
                             fonts.label, first, mark->covered ? colors.softText : markColor(*mark, theme));
     }
   }

@@ -19,8 +19,8 @@
 namespace straightedge::gui {
 namespace {
 
-constexpr double boxHeight = 0.6;      ///< the box is 1 × 1 × 0.6: data of any size look the same
-constexpr double roomForLabels = 0.99; ///< the box does not fill the ball about it
+constexpr double boxHeight = 0.6; ///< the box is 1 × 1 × 0.6: data of any size look the same
+constexpr double boxInBall = 0.9; ///< the box does not fill the ball about it
 
 AxisScale rangeOf(const QList<double>& values) {
   double low = std::numeric_limits<double>::infinity();
@@ -63,7 +63,7 @@ public:
   }
 
   SceneBall ball() const override {
-    return {{0.5, 0.5, 0.5 * boxHeight}, roomForLabels * 0.5 * std::sqrt(2.0 + boxHeight * boxHeight)};
+    return {{0.5, 0.5, 0.5 * boxHeight}, boxInBall * 0.5 * std::sqrt(2.0 + boxHeight * boxHeight), {90.0, 36.0}};
   }
 
   SceneGeometry geometry(const SceneCamera& camera, PlotTheme theme, double pixelRatio) const override {
@@ -149,7 +149,7 @@ private:
     const bool leftIsWallX = projection.at({walls.x, frontY, 0}).x() < projection.at({frontX, walls.y, 0}).x();
     const double edgeX = leftIsWallX ? walls.x : frontX;
     const double edgeY = leftIsWallX ? frontY : walls.y;
-    SceneLettering lettering(painter, area);
+    SceneLettering lettering(painter, area, colors.background);
     const std::array<QString, 3> titles = {m_spec.xTitle, m_spec.yTitle, m_spec.zTitle};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto on = [&](double u) {

@@ -2,6 +2,7 @@
 #include "app/gui/plots/plot_view.h"
 #include "app/gui/plots/scene_colors.h"
 #include "app/gui/plots/scene_drawing.h"
+#include "app/gui/plots/scene_lettering.h"
 #include "app/gui/plots/scene_module.h"
 #include "app/gui/plots/scene_painting.h"
 #include "app/gui/plots/scene_view.h"
@@ -368,18 +369,26 @@ void SceneViewTest::marksCoveredAreFilled() {
 }
 
 void SceneViewTest::letteringKeepsClear() {
-  // Every text of the sphere is whole: all six names can be read off the painter's calls by their places.
-  QImage image(600, 400, QImage::Format_RGB32);
-  image.fill(Qt::white);
+  // Six labels beside points that are hard to part: none over another, all within the picture.
+  QImage image(400, 300, QImage::Format_RGB32);
   QPainter painter(&image);
-  const SphereSpec spec = fourOfSix();
-  const auto drawing = makeSphereDrawing(spec);
-  for (const double azimuth : {-55.0, 0.0, 45.0, 90.0}) {
-    const SceneCamera camera{.azimuth = azimuth, .elevation = 10.0, .zoom = 1.0};
-    const SceneEye eye = eyeOf(camera, drawing->ball(), QSizeF(600, 400));
-    drawing->letter(painter, QRectF(0, 0, 600, 400), SceneProjection(eye, QSizeF(600, 400)), camera, PlotTheme::Light);
+  const QRectF area(0, 0, 400, 300);
+  SceneLettering lettering(painter, area, Qt::white);
+  const QFont font = PlotFonts::standard().label;
+  for (const QPointF& point :
+       {QPointF(200, 140), QPointF(205, 142), QPointF(200, 140), QPointF(395, 290), QPointF(398, 295), QPointF(3, 2)}) {
+    lettering.writeBeside(point, QPointF(190, 150), {QStringLiteral("+x (behind)"), QStringLiteral("12 rows")}, font,
+                          Qt::black, Qt::darkGray);
   }
-  QVERIFY(coloursIn(image) > 3);
+  const QList<QRectF> taken = lettering.taken();
+  QCOMPARE(taken.size(), 6);
+  for (qsizetype i = 0; i < taken.size(); ++i) {
+    QVERIFY(area.contains(taken[i]));
+    for (qsizetype j = 0; j < i; ++j) {
+      QVERIFY2(!taken[i].intersects(taken[j]), qPrintable(QString("%1 over %2").arg(i).arg(j)));
+    }
+  }
+  QVERIFY(!lettering.writeIfFree(taken[2], QStringLiteral("9")));
 }
 
 void SceneViewTest::chartsStayAsTheyAre() {
