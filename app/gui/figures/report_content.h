@@ -38,7 +38,7 @@ struct ReportTable {
 struct ReportFigure {
   QString caption;     ///< "Figure 3. …"
   PlotSpec spec;       ///< without title and note: the caption says both
-  QByteArray png = {}; ///< instead of `spec`: a three-dimensional picture of exportedPlotSize in twice the pixels
+  QByteArray png = {}; ///< instead of `spec`: a three-dimensional picture
 };
 
 using ReportBlock = std::variant<ReportHeading, ReportParagraph, ReportTable, ReportFigure>;

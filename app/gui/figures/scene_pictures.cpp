@@ -6,11 +6,20 @@
 
 namespace straightedge::gui {
 
+namespace {
+
+/// As many pixels as an exported plot has, but larger letters: on paper the picture is narrower than on a screen.
+constexpr QSize scenePictureSize{640, 360};
+constexpr double scenePictureScale = 3.0;
+static_assert(scenePictureSize.width() * 3 == exportedPlotSize.width() * 2);
+
+} // namespace
+
 QByteArray ScenePictures::png(const NamedFigure& figure) {
   if (const auto drawn = m_drawn.constFind(figure.stem); drawn != m_drawn.constEnd()) {
     return *drawn;
   }
-  const QImage image = m_artist.picture(figure.scene(), exportedPlotSize, 2.0);
+  const QImage image = m_artist.picture(figure.scene(), scenePictureSize, scenePictureScale);
   QByteArray bytes;
   if (!image.isNull()) {
     QBuffer buffer(&bytes);
