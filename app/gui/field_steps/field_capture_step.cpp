@@ -82,7 +82,7 @@ FieldCaptureStep::FieldCaptureStep(FieldStepContext context, QWidget* parent)
 
 QString FieldCaptureStep::title() const { return tr("Capture"); }
 
-QString FieldCaptureStep::helpPage() const { return QStringLiteral("field"); }
+QString FieldCaptureStep::helpPage() const { return QStringLiteral("field-capture"); }
 
 QString FieldCaptureStep::missing() const {
   return m_presenter.phase() == FieldCapturePresenter::Phase::NoBench ? m_presenter.guidance() : QString();

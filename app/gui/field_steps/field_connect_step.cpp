@@ -98,7 +98,7 @@ void FieldConnectStep::takeRoles() {
 
 QString FieldConnectStep::title() const { return tr("Connect"); }
 
-QString FieldConnectStep::helpPage() const { return QStringLiteral("field"); }
+QString FieldConnectStep::helpPage() const { return QStringLiteral("field-connect"); }
 
 void FieldConnectStep::entered() {
   m_presenter.setShown(true);
