@@ -22,7 +22,7 @@ struct Page {
   const char* title;
   bool below = false; ///< belongs to the page above, indented
 };
-constexpr std::array<Page, 26> pages{
+constexpr std::array<Page, 28> pages{
     {{"start", QT_TRANSLATE_NOOP("HelpWindow", "Overview")},
      {"connect", QT_TRANSLATE_NOOP("HelpWindow", "1  Connect")},
      {"capture", QT_TRANSLATE_NOOP("HelpWindow", "2  Capture")},
@@ -32,6 +32,8 @@ constexpr std::array<Page, 26> pages{
      {"verify", QT_TRANSLATE_NOOP("HelpWindow", "6  Verify")},
      {"export", QT_TRANSLATE_NOOP("HelpWindow", "7  Export")},
      {"field", QT_TRANSLATE_NOOP("HelpWindow", "Field calibration")},
+     {"field-connect", QT_TRANSLATE_NOOP("HelpWindow", "Connect"), true},
+     {"field-capture", QT_TRANSLATE_NOOP("HelpWindow", "Capture"), true},
      {"field-review", QT_TRANSLATE_NOOP("HelpWindow", "Review"), true},
      {"field-fit", QT_TRANSLATE_NOOP("HelpWindow", "Fit"), true},
      {"field-compare", QT_TRANSLATE_NOOP("HelpWindow", "Compare"), true},

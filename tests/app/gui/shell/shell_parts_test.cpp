@@ -255,6 +255,8 @@ void ShellPartsTest::everyStepAndBlockHasItsPage() {
       {"field-joint", {"Levenberg", "block after block", "weight|count"}},
       {"field-verify", {"limit", "peak", "one sigma", "surface", "full scale"}},
       {"field-uncertainty", {"expanded uncertainty", "residual", "repeatability", "95"}},
+      {"field-connect", {"simulated bench", "instruments", "live reading"}},
+      {"field-capture", {"plan", "stage", "leave out", "repeat", "lock"}},
       {"field-review", {"plateaus", "sweeps", "sphere"}},
       {"field-fit", {"order", "reference temperature", "blocks"}},
       {"field-compare", {"coefficients", "multiplications"}},
@@ -287,8 +289,9 @@ void ShellPartsTest::everyStepAndBlockHasItsPage() {
       QVERIFY2(text.contains(QRegularExpression(term, QRegularExpression::CaseInsensitiveOption)),
                qPrintable(page + " does not say: " + term));
     }
-    const bool ofABlock = page.startsWith("field-") &&
-                          !QStringList({"field-review", "field-fit", "field-compare", "field-export"}).contains(page);
+    const bool ofABlock = page.startsWith("field-") && !QStringList({"field-connect", "field-capture", "field-review",
+                                                                     "field-fit", "field-compare", "field-export"})
+                                                            .contains(page);
     for (const char* part : {"How it is measured", "Formula", "What the figures show", "Source"}) {
       QVERIFY2(!ofABlock || text.contains(part), qPrintable(page + " has no part: " + part));
     }
