@@ -59,7 +59,8 @@ FieldCaptureStep::FieldCaptureStep(FieldStepContext context, QWidget* parent)
   columnLayout->setContentsMargins(0, 0, 0, 0);
   columnLayout->setSpacing(12);
   columnLayout->addWidget(makeGuide());
-  columnLayout->addWidget(makePlanBox());
+  QWidget* plan = makePlanBox();
+  columnLayout->addWidget(plan);
   columnLayout->addStretch(1);
   auto* scroll = new QScrollArea(this);
   scroll->setWidget(column);
@@ -67,7 +68,7 @@ FieldCaptureStep::FieldCaptureStep(FieldStepContext context, QWidget* parent)
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFixedWidth(std::max(fontMetrics().averageCharWidth() * 52,
-                                 column->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width()));
+                                 plan->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width()));
   auto* columns = new QHBoxLayout;
   columns->setSpacing(16);
   columns->addWidget(scroll);
@@ -230,8 +231,9 @@ void FieldCaptureStep::showPlan() {
 
 void FieldCaptureStep::showStages() {
   m_stages->setStages(m_presenter.stages());
-  if (m_presenter.canStop() || m_stages->current() < 0) {
-    m_stages->setCurrent(std::max(0, m_presenter.shownStage()));
+  // The list follows the capture from stage to stage; between them another one may be chosen, to leave it out.
+  if (std::exchange(m_followed, m_presenter.shownStage()) != m_presenter.shownStage() || m_stages->current() < 0) {
+    m_stages->setCurrent(m_presenter.shownStage());
   }
   showRights();
 }

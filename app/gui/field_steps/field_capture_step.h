@@ -70,6 +70,7 @@ private:
   PlotView* m_timePlot = nullptr;
   bool m_shown = false;
   int m_frame = 0;
+  int m_followed = -1;     ///< stage that the list was put on last
   qint64 m_mainDrawn = -1; ///< revision of the trace that is drawn
   qint64 m_timeDrawn = -1;
 };

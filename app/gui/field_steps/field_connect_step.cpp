@@ -156,6 +156,7 @@ QWidget* FieldConnectStep::makeLiveBox() {
   for (const FieldConnectPresenter::Value& role : roles) {
     auto* label = new ValueLabel(role.caption, ValueLabel::Size::Small, QPalette::WindowText, box);
     label->setObjectName(role.name + QStringLiteral("Reading"));
+    label->setMinimumWidth(fontMetrics().averageCharWidth() * 15); // nothing moves when values come
     m_values.append(label);
     values->addWidget(label);
   }

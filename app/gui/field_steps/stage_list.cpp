@@ -52,6 +52,7 @@ StageList::StageList(QWidget* parent) : QWidget(parent), m_tree(new QTreeWidget(
   m_tree->setObjectName(QStringLiteral("captureStages"));
   m_tree->setHeaderLabels({tr("Stage"), tr("State"), tr("Still takes"), tr("Attempt"), tr("Why")});
   m_tree->headerItem()->setToolTip(ListTime, tr("Expected on a bench in real time, without your own handling"));
+  m_tree->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the last column is elided instead
   m_tree->setRootIsDecorated(false);
   m_tree->setUniformRowHeights(true);
   m_tree->setAllColumnsShowFocus(true);

@@ -135,6 +135,7 @@ void FieldCapturePagesTest::captureRunsFromItsButton() {
   QCOMPARE(leads.first().first().toString(), QStringLiteral("Review"));
   QVERIFY(!shown.find<QPushButton>("pauseCapture").isVisible());
   QCOMPARE(shown.find<QProgressBar>("captureProgress").value(), 1000);
+  QCOMPARE(stages.currentItem()->text(0), shown.find<PlotView>("stagePlot").spec().title);
   for (int row = 0; row < stages.topLevelItemCount(); ++row) {
     QCOMPARE(stateIn(stages, row), QStringLiteral("done"));
   }
@@ -160,7 +161,14 @@ void FieldCapturePagesTest::guidedByTheKeyboard() {
   QTest::keyClick(&confirm, Qt::Key_Space);
   QTRY_COMPARE(shown.textOf("stageInstruction"), QStringLiteral("Place the probe with its −x axis along the field."));
   QTRY_COMPARE(shown.textOf("stageHeading"), QStringLiteral("Stage 2 of 2: Orientation, −x"));
-  QTRY_COMPARE(stateIn(shown.find<QTreeWidget>("captureStages"), 0), QStringLiteral("done"));
+  auto& stages = shown.find<QTreeWidget>("captureStages");
+  QTRY_COMPARE(stateIn(stages, 0), QStringLiteral("done"));
+  QTRY_COMPARE(stages.currentItem(), stages.topLevelItem(1)); // the list follows
+  stages.setCurrentItem(stages.topLevelItem(0));              // and lets another one be chosen meanwhile
+  QSignalSpy frames(&shown.open.bench, &FieldBenchLink::progressChanged);
+  QTRY_VERIFY(frames.count() > 20);
+  QCOMPARE(stages.currentItem(), stages.topLevelItem(0));
+  QVERIFY(shown.find<QPushButton>("repeatStage").isEnabled());
   QTest::keyClick(&confirm, Qt::Key_Space);
   QVERIFY(ended.count() > 0 || ended.wait(captureWaitMs));
   QVERIFY(!confirm.isVisible());
@@ -195,6 +203,7 @@ void FieldCapturePagesTest::stagesByKeyboardAndButtons() {
   stages.setCurrentItem(stages.topLevelItem(2));
   QVERIFY(shown.find<QPushButton>("repeatStage").isEnabled());
   ended.clear();
+  stages.setFocus();
   QTest::keyClick(&stages, Qt::Key_F5);
   QVERIFY(ended.count() > 0 || ended.wait(captureWaitMs));
   QCOMPARE(stages.topLevelItem(2)->text(3), QStringLiteral("no. 2"));
