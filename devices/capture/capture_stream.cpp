@@ -3,6 +3,7 @@
 #include "devices/capture/capture_worker.h"
 #include "devices/capture/stream_rate.h"
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -102,10 +103,10 @@ std::string CaptureWorker::streamNote(const StreamPass& pass, std::optional<doub
 
 /// Numbers are used up for what is missing, so that it shows wherever the samples do.
 CaptureWorker::Step<void> CaptureWorker::recordGaps(const StreamBlock& block) {
-  const std::pair<std::int64_t, const char*> losses[] = {
-      {block.lost, "the instrument's memory ran over"},
-      {block.rejected, "what the instrument sent was no reading"},
-      {block.unpaired, "no reading of the sensor close enough to the encoder's in time"}};
+  const std::array losses = {
+      std::pair{block.lost, "the instrument's memory ran over"},
+      std::pair{block.rejected, "what the instrument sent was no reading"},
+      std::pair{block.unpaired, "no reading of the sensor close enough to the encoder's in time"}};
   for (const auto& [count, reason] : losses) {
     if (count <= 0) {
       continue;
