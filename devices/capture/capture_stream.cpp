@@ -14,6 +14,9 @@ namespace {
 /// Two rates that differ by more are not the same.
 constexpr double rateTolerance = 0.05;
 
+/// Whole numbers as such: 100000, not 1e+05.
+std::string rateText(double hz) { return hz == std::trunc(hz) ? std::to_string(std::llround(hz)) : formatDouble(hz); }
+
 std::string angleText(double angleDeg) { return formatDouble(std::round(angleDeg * 1e3) / 1e3) + "°"; }
 
 } // namespace
@@ -98,7 +101,7 @@ std::string CaptureWorker::streamNote(const StreamPass& pass, std::optional<doub
     return {};
   }
   return "the bench samples " + formatForPeople(*rateHz, 3) + " times a second instead of the plan's " +
-         formatDouble(plannedHz) + ": its instruments have a rate of their own; every sample is stored";
+         rateText(plannedHz) + ": its instruments have a rate of their own; every sample is stored";
 }
 
 /// Numbers are used up for what is missing, so that it shows wherever the samples do.
