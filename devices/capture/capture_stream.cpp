@@ -3,6 +3,7 @@
 #include "devices/capture/capture_worker.h"
 #include "devices/capture/stream_rate.h"
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,9 @@ namespace {
 
 /// Two rates that differ by more are not the same.
 constexpr double rateTolerance = 0.05;
+
+/// Whole numbers as such: 100000, not 1e+05.
+std::string rateText(double hz) { return hz == std::trunc(hz) ? std::to_string(std::llround(hz)) : formatDouble(hz); }
 
 std::string angleText(double angleDeg) { return formatDouble(std::round(angleDeg * 1e3) / 1e3) + "°"; }
 
@@ -97,15 +101,15 @@ std::string CaptureWorker::streamNote(const StreamPass& pass, std::optional<doub
     return {};
   }
   return "the bench samples " + formatForPeople(*rateHz, 3) + " times a second instead of the plan's " +
-         formatDouble(plannedHz) + ": its instruments have a rate of their own; every sample is stored";
+         rateText(plannedHz) + ": its instruments have a rate of their own; every sample is stored";
 }
 
 /// Numbers are used up for what is missing, so that it shows wherever the samples do.
 CaptureWorker::Step<void> CaptureWorker::recordGaps(const StreamBlock& block) {
-  const std::pair<std::int64_t, const char*> losses[] = {
-      {block.lost, "the instrument's memory ran over"},
-      {block.rejected, "what the instrument sent was no reading"},
-      {block.unpaired, "no reading of the sensor close enough to the encoder's in time"}};
+  const std::array losses = {
+      std::pair{block.lost, "the instrument's memory ran over"},
+      std::pair{block.rejected, "what the instrument sent was no reading"},
+      std::pair{block.unpaired, "no reading of the sensor close enough to the encoder's in time"}};
   for (const auto& [count, reason] : losses) {
     if (count <= 0) {
       continue;

@@ -39,6 +39,9 @@ std::optional<int> StreamPass::place(double encoderDeg) {
   if (passed() || !counts(travelledDeg)) {
     return std::nullopt;
   }
+  if (!std::isfinite(travelledDeg)) { // no angle leads anywhere; whoever stores the sample refuses it
+    return begun() ? std::optional(m_sector) : std::nullopt;
+  }
   const double sectors = std::floor(travelledDeg / m_course.stepDeg());
   const int at = m_run.first + static_cast<int>(std::clamp(sectors, -1.0, m_run.last - m_run.first + 1.0));
   while (m_sector < at) {

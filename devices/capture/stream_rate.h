@@ -23,20 +23,20 @@ public:
       m_count += block.lost + block.rejected + block.unpaired;
     }
     m_count += static_cast<std::int64_t>(block.samples.size());
-    m_lastS = block.samples.back().timeS;
+    const double passedS = block.samples.back().timeS - m_firstS;
+    if (!m_hz && passedS >= 1.0) {
+      m_hz = static_cast<double>(m_count) / passedS;
+    }
   }
 
-  /// Known after a second of samples.
-  std::optional<double> hz() const {
-    const double passedS = m_lastS - m_firstS;
-    return passedS >= 1.0 ? std::optional(static_cast<double>(m_count) / passedS) : std::nullopt;
-  }
+  /// Of the first second; not known before it has passed.
+  std::optional<double> hz() const { return m_hz; }
 
 private:
   bool m_begun = false;
   std::int64_t m_count = 0;
   double m_firstS = 0.0;
-  double m_lastS = 0.0;
+  std::optional<double> m_hz;
 };
 
 } // namespace straightedge::devices

@@ -10,7 +10,7 @@ namespace straightedge::devices {
 namespace {
 
 /// Arrivals that are taken in one go: on a line that brings more while they are, the rest comes with the next call.
-constexpr int mostReads = 128;
+constexpr int mostLineReads = 128;
 
 } // namespace
 
@@ -64,7 +64,7 @@ Result<std::vector<TimedValues>> LineSource::waiting(Conversation& talk) {
   }
   std::vector<std::vector<double>> readings;
   double arrivalS = m_lastArrivalS;
-  for (int i = 0; i < mostReads; ++i) {
+  for (int i = 0; i < mostLineReads; ++i) {
     auto bytes = talk.transport().read(Milliseconds{0});
     if (!bytes && bytes.error().fault == TransportFault::TimedOut) {
       break;

@@ -19,7 +19,7 @@ constexpr std::uint8_t registerReplyFormat = 0x15;
 
 constexpr Milliseconds patience{2000}; // it answers within milliseconds; a busy computer may not
 /// Arrivals of a stream that are taken in one go.
-constexpr int mostReads = 128;
+constexpr int mostStreamReads = 128;
 constexpr int mostForeignReplies = 200; ///< stream lines and banner that may come before the reply to a command
 
 /// The manual's text says 1/256 s for the stamp in one place and 1/512 s in another. 1.95 ms for the interval and a
@@ -173,7 +173,7 @@ Result<double> Qsb::receiveStream() {
   if (const auto fault = std::exchange(m_streamFault, std::nullopt)) {
     return m_talk.failed(*fault, "while streaming");
   }
-  for (int i = 0; i < mostReads; ++i) {
+  for (int i = 0; i < mostStreamReads; ++i) {
     auto bytes = m_talk.transport().read(Milliseconds{0});
     if (!bytes && bytes.error().fault == TransportFault::TimedOut) {
       break;

@@ -41,6 +41,11 @@ TEST(StreamPass, DrivenEverySampleFromTheFirstSectorOnHasItsPlace) {
   EXPECT_TRUE(pass.passed());
   EXPECT_EQ(course.done(), 36);
   EXPECT_FALSE(pass.place(100.0)) << "what comes after the end belongs to nothing";
+  auto other = courseOf({.pointsPerTurn = 36, .sampleRateHz = 1000.0});
+  StreamPass broken(other, {.first = 0, .last = 35}, false);
+  EXPECT_FALSE(broken.place(std::nan("")));
+  EXPECT_EQ(broken.place(12.0), 1);
+  EXPECT_EQ(broken.place(std::nan("")), 1) << "to be refused where it is stored";
 }
 
 TEST(StreamPass, ByHandItBeginsBeforeTheFirstSectorAndTurningBackDoesNotCount) {

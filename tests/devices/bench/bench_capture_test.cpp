@@ -211,9 +211,9 @@ TEST_F(BenchCapture, AShaftThatTurnsIsSampledByABoardThatPrintsBothAngles) {
     const auto now = std::chrono::steady_clock::now();
     next = std::max(next, now - std::chrono::milliseconds(20));
     for (; next < now; next += std::chrono::microseconds(500)) {
-      const double angleDeg = -20.0 + std::abs(0.5 * (line++ % 1600) - 400.0);
+      const double angleDeg = -20.0 + std::abs(0.125 * (line++ % 6400) - 400.0);
       std::array<char, 48> text{};
-      std::snprintf(text.data(), text.size(), "%.2f\t%.4f\r\n", angleDeg, sensorDeg(angleDeg));
+      std::snprintf(text.data(), text.size(), "%.3f\t%.4f\r\n", angleDeg, sensorDeg(angleDeg));
       lines += text.data();
     }
     return lines;
@@ -223,10 +223,14 @@ TEST_F(BenchCapture, AShaftThatTurnsIsSampledByABoardThatPrintsBothAngles) {
     "instruments": [{"instrument": "ascii-board", "roles": ["angle-reference", "angle-sensor"], "serial": "ACM-1",
       "settings": {"reference_column": 1, "column": 2, "deadline_s": 60}}]})");
   const auto said = runCli({"capture", "angle", "--bench", bench, "--session", m_folder.file("sweep.sedge"), "--csv",
-                            m_folder.file("sweep.csv"), "--points", std::to_string(points), "--rate", "500"});
+                            m_folder.file("sweep.csv"), "--points", std::to_string(points), "--rate", "100000"});
   ASSERT_EQ(said.code, 0) << said.err;
-  EXPECT_THAT(said.out, HasSubstr("24 points, 720 samples\n"));
-  expectTheSweepFits(720);
+  EXPECT_THAT(said.err,
+              HasSubstr(" times a second instead of the plan's 100000: its instruments have a rate of their own"));
+  const auto rates = said.err.find(" times a second");
+  EXPECT_EQ(said.err.find(" times a second", rates + 1), std::string::npos) << "said once: " << said.err;
+  EXPECT_THAT(said.out, HasSubstr("24 points, 2880 samples\n"));
+  expectTheSweepFits(2880);
 }
 
 TEST_F(BenchCapture, AnInstrumentThatIsNotPluggedInIsNamed) {
