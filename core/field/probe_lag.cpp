@@ -31,7 +31,8 @@ Eigen::VectorXd lagged(const Eigen::VectorXd& timeS, const Eigen::VectorXd& cham
 
 struct Attempt {
   LagFit fit;
-  double sum = 0.0; ///< of squared residuals
+  double sum = 0.0;   ///< of squared residuals
+  double start = 0.0; ///< how far the probe was out of balance at the first row, °C
 };
 
 /// Regressors: 1, resistance about its mean, and what is left of a start out of balance.
@@ -56,12 +57,31 @@ Attempt attempt(const Eigen::VectorXd& timeS, const Eigen::VectorXd& chamberC, c
   result.fit.slope = solution[1];
   result.fit.intercept = solution[0] - solution[1] * middle;
   result.fit.laggedC = withLag ? Eigen::VectorXd(felt - solution[2] * columns.col(2)) : felt;
-  const auto freedom = static_cast<double>(ohm.size() - columns.cols() - 1);
-  const Eigen::MatrixXd spread = (columns.transpose() * columns).inverse() * (result.sum / freedom);
+  result.start = withLag ? solution[2] : 0.0;
+  return result;
+}
+
+/// Of intercept and slope with the lag free, by the fit's derivatives: a lag that is a little longer goes with a PT100
+/// that is a little steeper, more so the faster the chamber was swept.
+Eigen::Matrix2d covarianceOf(const Attempt& found, const Eigen::VectorXd& timeS, const Eigen::VectorXd& chamberC,
+                             const Eigen::VectorXd& ohm) {
+  const double lagS = found.fit.lagS;
+  const double middle = ohm.mean();
+  const auto decay = [&timeS](double lag) { return Eigen::VectorXd((-(timeS.array() - timeS[0]) / lag).exp()); };
+  const auto balanced = [&](double lag) {
+    return Eigen::VectorXd(lagged(timeS, chamberC, lag) - found.start * decay(lag));
+  };
+  constexpr double step = 1e-4;
+  Eigen::MatrixXd columns(ohm.size(), 4);
+  columns.col(0).setOnes();
+  columns.col(1) = ohm.array() - middle;
+  columns.col(2) = decay(lagS);
+  columns.col(3) = (balanced(lagS * (1.0 + step)) - balanced(lagS * (1.0 - step))) / (2.0 * step * lagS);
+  const auto freedom = static_cast<double>(ohm.size() - columns.cols());
+  const Eigen::MatrixXd spread = (columns.transpose() * columns).inverse() * (found.sum / freedom);
   Eigen::Matrix2d shift; // to resistance from zero
   shift << 1.0, -middle, 0.0, 1.0;
-  result.fit.covariance = shift * spread.topLeftCorner(2, 2) * shift.transpose();
-  return result;
+  return shift * spread.topLeftCorner(2, 2) * shift.transpose();
 }
 
 } // namespace
@@ -117,6 +137,7 @@ std::optional<LagFit> fitLag(const Eigen::VectorXd& timeS, const Eigen::VectorXd
   if (!(found.sum < clearlyBetter * clearlyBetter * without.sum)) {
     return std::nullopt;
   }
+  found.fit.covariance = covarianceOf(found, timeS, chamberC, ohm);
   return std::move(found.fit);
 }
 

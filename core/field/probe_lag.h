@@ -13,7 +13,7 @@ struct LagFit {
   double intercept = 0.0;                               ///< °C
   Eigen::VectorXd laggedC;                              ///< chamber temperature as the probe felt it
   Eigen::VectorXd residuals;                            ///< laggedC − line
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< of intercept and slope, for the lag found
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< of intercept and slope; the lag is not exactly known either
 };
 
 /// The time constant that leaves the least residual of a line through (lagged chamber temperature, resistance); the

@@ -36,7 +36,7 @@ struct Loop {
 };
 
 /// Heating less cooling at equal resistance, over ten parts of the range. Nothing without both directions.
-std::optional<Loop> loopOf(const Eigen::VectorXd& ohm, const Eigen::VectorXd& chamberC,
+std::optional<Loop> loopOf(const Eigen::VectorXd& ohm, const std::vector<int>& direction,
                            const Eigen::VectorXd& residualC) {
   constexpr std::size_t parts = 10;
   constexpr int leastEach = 2;
@@ -45,7 +45,6 @@ std::optional<Loop> loopOf(const Eigen::VectorXd& ohm, const Eigen::VectorXd& ch
     int count = 0;
   };
   std::array<std::array<Side, 2>, parts> sides{};
-  const std::vector<int> direction = directions(chamberC);
   const double from = ohm.minCoeff();
   const double width = (ohm.maxCoeff() - from) / static_cast<double>(parts);
   for (Eigen::Index i = 0; i < ohm.size(); ++i) {
@@ -104,6 +103,24 @@ Result<void> checkResponse(const StepRows& rows, const std::string& name) {
   return {};
 }
 
+/// Of the line itself where it is least sure: at the ends of the sweep.
+double lineUncertainty(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& ohm) {
+  double largest = 0.0;
+  for (const double at : {ohm.minCoeff(), ohm.maxCoeff()}) {
+    const Eigen::Vector2d by(at, 1.0); // slope first
+    largest = std::max(largest, by.dot(covariance * by));
+  }
+  return std::sqrt(largest);
+}
+
+std::string wideLoopText(const ProbeTemperatureReport& report) {
+  if (!report.hysteresisC || std::abs(*report.hysteresisC) < wideLoop * report.spanC) {
+    return {};
+  }
+  return "; the loop is as wide as " + formatForPeople(100.0 * std::abs(*report.hysteresisC) / report.spanC, 2) +
+         " % of the sweep: sweep the chamber more slowly";
+}
+
 void findLag(const StepRows& rows, const Eigen::VectorXd& aboveC, ProbeTemperatureReport& report) {
   if (!rows.timeS.allFinite()) {
     report.lagText = "no times: lag not estimated";
@@ -124,6 +141,10 @@ void findLag(const StepRows& rows, const Eigen::VectorXd& aboveC, ProbeTemperatu
   report.line = {lag->slope, lag->intercept};
   report.block.covariance = lag->covariance.reverse(); // slope first
   report.block.residuals = residualsOf(lag->residuals, 4);
+  report.feltC = lag->laggedC;
+  if (const auto left = loopOf(rows.pt100Ohm, report.directions, lag->residuals)) {
+    report.loopLeftC = left->mean;
+  }
 }
 
 } // namespace
@@ -145,12 +166,16 @@ Result<ProbeTemperatureReport> fitProbeTemperature(const StepRows& rows, double 
   report.spanC = rows.chamberC.maxCoeff() - rows.chamberC.minCoeff();
   report.block.covariance = fit->covariance.reverse(); // slope first
   report.block.residuals = residualsOf(fit->residuals, 2);
-  if (const auto loop = loopOf(rows.pt100Ohm, rows.chamberC, fit->residuals)) {
+  report.feltC = aboveC;
+  report.directions = directions(rows.chamberC);
+  if (const auto loop = loopOf(rows.pt100Ohm, report.directions, fit->residuals)) {
     report.hysteresisC = loop->mean;
     report.largestHysteresisC = loop->largest;
   }
   findLag(rows, aboveC, report);
-  report.standardUncertaintyC = report.block.residuals.sigma;
+  report.lagText += wideLoopText(report);
+  report.standardUncertaintyC =
+      std::hypot(report.block.residuals.sigma, lineUncertainty(report.block.covariance, rows.pt100Ohm));
   report.block.rows = rowsOf(rows);
   report.block.how = "line through " + counted(report.block.rows.used, "row") +
                      " of chamber temperature over resistance, " + celsiusText(rows.chamberC.minCoeff()) + " to " +

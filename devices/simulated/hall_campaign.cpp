@@ -35,23 +35,33 @@ double chamberC(const HallSweep& sweep, int row) {
   return sweep.lowC + (sweep.highC - sweep.lowC) * 0.5 * (1.0 - std::cos(turn));
 }
 
-/// First-order lag, started in the state that repeats with every cycle.
+/// First-order lag behind a chamber that moves straight from row to row, started in the state that repeats with every
+/// cycle. A chamber that stood still between rows would lead the one that is recorded by half a row, which a fit of the
+/// lag takes for a longer lag and a steeper PT100.
 class LaggingProbe {
 public:
   LaggingProbe(const HallSweep& sweep, double lagS, double rowS)
-      : m_share(lagS > 0.0 ? 1.0 - std::exp(-rowS / lagS) : 1.0), m_probeC(sweep.lowC) {
+      : m_lagRows(lagS / rowS), m_chamberC(sweep.lowC), m_probeC(sweep.lowC) {
     const int rowsOfCycle = sweep.rows / std::max(1, sweep.cycles);
-    for (int row = 0; row < rowsOfCycle; ++row) {
+    for (int row = 0; row < settlingCycles * rowsOfCycle; ++row) {
       next(chamberC(sweep, row));
     }
   }
   double next(double chamber) {
-    m_probeC += (chamber - m_probeC) * m_share;
+    if (m_lagRows > 0.0) {
+      const double rate = chamber - m_chamberC; // of a row
+      m_probeC = chamber - m_lagRows * rate + (m_probeC - m_chamberC + m_lagRows * rate) * std::exp(-1.0 / m_lagRows);
+    } else {
+      m_probeC = chamber;
+    }
+    m_chamberC = chamber;
     return m_probeC;
   }
 
 private:
-  double m_share;
+  static constexpr int settlingCycles = 3;
+  double m_lagRows;
+  double m_chamberC;
   double m_probeC;
 };
 

@@ -81,7 +81,16 @@ TEST_F(FieldBlocksInOrder, Pt100LineAndItsHysteresis) {
   EXPECT_EQ(report->lagText, "no times: lag not estimated");
   EXPECT_FALSE(report->lagS);
   ASSERT_TRUE(report->hysteresisC);
-  EXPECT_GT(*report->hysteresisC, 0.0);
+  // Worked out from the file by a script of its own: heating less cooling in ten parts of the resistance ...
+  EXPECT_NEAR(*report->hysteresisC, 2.735247815, 1e-8);
+  // ... which is also the area that a cycle goes round, over its resistances: 2.8077 °C, 2.8095 °C.
+  EXPECT_NEAR(*report->hysteresisC, 2.8086, 0.03 * 2.8086);
+  EXPECT_FALSE(report->loopLeftC);
+  EXPECT_EQ(report->feltC, report->chamberC);
+  // The scatter about the line, the loop in it, 1.267456601 °C; the line's own uncertainty is small beside it.
+  EXPECT_NEAR(report->block.residuals.sigma, 1.267456601, 1e-8);
+  EXPECT_GT(report->standardUncertaintyC, 1.2675);
+  EXPECT_LT(report->standardUncertaintyC, 1.28);
 }
 
 TEST_F(FieldBlocksInOrder, OffsetSlopes) {

@@ -22,3 +22,10 @@ straightedge_add_test(NAME core_field_session
   SOURCES core/field/session_campaign_test.cpp
   LIBRARIES straightedge::devices
   LABELS core)
+
+# the PT100 behind a lag: the simulated teslameter knows the truth
+straightedge_add_test(NAME core_field_probe_lag
+  SOURCES core/field/probe_lag_test.cpp
+  LIBRARIES straightedge::devices
+  LABELS core)
+target_compile_definitions(core_field_probe_lag PRIVATE STRAIGHTEDGE_EXAMPLES="${PROJECT_SOURCE_DIR}/resources/examples")
