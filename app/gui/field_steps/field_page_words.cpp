@@ -2,6 +2,7 @@
 
 #include "app/gui/figures/field_words.h"
 #include "core/base/number_text.h"
+#include "core/field/block_names.h"
 #include "core/field/names.h"
 
 #include <QCoreApplication>
@@ -33,6 +34,8 @@ QString stageWord(field::CampaignStep step, const std::optional<field::Axis>& ax
 }
 
 QString withProperMinus(QString text) { return text.replace(QLatin1Char('-'), QChar(0x2212)); }
+
+QString blockHelpPage(field::Block block) { return QStringLiteral("field-") + latin(field::blockName(block)); }
 
 QString percentFigure(double percent) {
   constexpr int decimals = 4;

@@ -17,5 +17,7 @@ QString percentFigure(double percent);
 /// Three significant digits for sentences, "0.0123 %".
 QString percentPhrase(double percent);
 QString withProperMinus(QString text);
+/// Help page of a block: its file stem in resources/help.
+QString blockHelpPage(field::Block block);
 
 } // namespace straightedge::gui

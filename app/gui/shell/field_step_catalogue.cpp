@@ -11,11 +11,11 @@ namespace {
 constexpr std::array<StepEntry, 7> fieldSteps{{
     {"Connect", "field", "Choose the bench: teslameter, reference, chamber", QT_TR_NOOP("&Connect")},
     {"Capture", "field", "Record the campaign stage by stage", QT_TR_NOOP("C&apture")},
-    {"Review", "field", "Look at the recorded rows and switch off bad plateaus", QT_TR_NOOP("&Review")},
-    {"Fit", "field", "Every block of the correction and what it leaves", QT_TR_NOOP("&Fit")},
-    {"Compare", "field", "Orders of the blocks against the error they leave", QT_TR_NOOP("Co&mpare")},
-    {"Verify", "field", "Error before and after each block, against the limit", QT_TR_NOOP("&Verify")},
-    {"Export", "field", "Coefficients, tables, plots and the report", QT_TR_NOOP("&Export")},
+    {"Review", "field-review", "Look at the recorded rows and switch off bad plateaus", QT_TR_NOOP("&Review")},
+    {"Fit", "field-fit", "Every block of the correction and what it leaves", QT_TR_NOOP("&Fit")},
+    {"Compare", "field-compare", "Orders of the blocks against the error they leave", QT_TR_NOOP("Co&mpare")},
+    {"Verify", "field-verify", "Error before and after each block, against the limit", QT_TR_NOOP("&Verify")},
+    {"Export", "field-export", "Coefficients, tables, plots and the report", QT_TR_NOOP("&Export")},
 }};
 
 using MakeFieldStep = StepPage* (*)(FieldStepContext, QWidget*);

@@ -20,19 +20,35 @@ namespace {
 struct Page {
   const char* stem;
   const char* title;
+  bool below = false; ///< belongs to the page above, indented
 };
-constexpr std::array<Page, 12> pages{{{"start", QT_TRANSLATE_NOOP("HelpWindow", "Overview")},
-                                      {"connect", QT_TRANSLATE_NOOP("HelpWindow", "1  Connect")},
-                                      {"capture", QT_TRANSLATE_NOOP("HelpWindow", "2  Capture")},
-                                      {"review", QT_TRANSLATE_NOOP("HelpWindow", "3  Review")},
-                                      {"fit", QT_TRANSLATE_NOOP("HelpWindow", "4  Fit")},
-                                      {"compare", QT_TRANSLATE_NOOP("HelpWindow", "5  Compare")},
-                                      {"verify", QT_TRANSLATE_NOOP("HelpWindow", "6  Verify")},
-                                      {"export", QT_TRANSLATE_NOOP("HelpWindow", "7  Export")},
-                                      {"field", QT_TRANSLATE_NOOP("HelpWindow", "Field calibration")},
-                                      {"method", QT_TRANSLATE_NOOP("HelpWindow", "The method")},
-                                      {"files", QT_TRANSLATE_NOOP("HelpWindow", "Files and command line")},
-                                      {"keyboard", QT_TRANSLATE_NOOP("HelpWindow", "Keyboard")}}};
+constexpr std::array<Page, 26> pages{
+    {{"start", QT_TRANSLATE_NOOP("HelpWindow", "Overview")},
+     {"connect", QT_TRANSLATE_NOOP("HelpWindow", "1  Connect")},
+     {"capture", QT_TRANSLATE_NOOP("HelpWindow", "2  Capture")},
+     {"review", QT_TRANSLATE_NOOP("HelpWindow", "3  Review")},
+     {"fit", QT_TRANSLATE_NOOP("HelpWindow", "4  Fit")},
+     {"compare", QT_TRANSLATE_NOOP("HelpWindow", "5  Compare")},
+     {"verify", QT_TRANSLATE_NOOP("HelpWindow", "6  Verify")},
+     {"export", QT_TRANSLATE_NOOP("HelpWindow", "7  Export")},
+     {"field", QT_TRANSLATE_NOOP("HelpWindow", "Field calibration")},
+     {"field-review", QT_TRANSLATE_NOOP("HelpWindow", "Review"), true},
+     {"field-fit", QT_TRANSLATE_NOOP("HelpWindow", "Fit"), true},
+     {"field-compare", QT_TRANSLATE_NOOP("HelpWindow", "Compare"), true},
+     {"field-verify", QT_TRANSLATE_NOOP("HelpWindow", "Verify"), true},
+     {"field-export", QT_TRANSLATE_NOOP("HelpWindow", "Export"), true},
+     {"field-nonlinearity", QT_TRANSLATE_NOOP("HelpWindow", "Nonlinearity"), true},
+     {"field-probe-temperature", QT_TRANSLATE_NOOP("HelpWindow", "Probe temperature"), true},
+     {"field-offset", QT_TRANSLATE_NOOP("HelpWindow", "Offset"), true},
+     {"field-sensitivity", QT_TRANSLATE_NOOP("HelpWindow", "Sensitivity"), true},
+     {"field-electronics", QT_TRANSLATE_NOOP("HelpWindow", "Electronics"), true},
+     {"field-electronics-sensitivity", QT_TRANSLATE_NOOP("HelpWindow", "Electronics sensitivity"), true},
+     {"field-axis-matrix", QT_TRANSLATE_NOOP("HelpWindow", "Axis matrix"), true},
+     {"field-joint", QT_TRANSLATE_NOOP("HelpWindow", "All blocks together"), true},
+     {"field-uncertainty", QT_TRANSLATE_NOOP("HelpWindow", "Uncertainty"), true},
+     {"method", QT_TRANSLATE_NOOP("HelpWindow", "The method")},
+     {"files", QT_TRANSLATE_NOOP("HelpWindow", "Files and command line")},
+     {"keyboard", QT_TRANSLATE_NOOP("HelpWindow", "Keyboard")}}};
 
 QString resourceOf(const QString& stem) { return QStringLiteral("qrc:/help/%1.html").arg(stem); }
 
@@ -46,7 +62,8 @@ HelpWindow::HelpWindow(QWidget* parent)
   setWindowTitle(tr("Straightedge Help"));
   setModal(false);
   for (const Page& page : pages) {
-    auto* item = new QListWidgetItem(tr(page.title), m_contents);
+    constexpr QChar emSpace(0x2003);
+    auto* item = new QListWidgetItem((page.below ? QString(emSpace) : QString()) + tr(page.title), m_contents);
     item->setData(Qt::UserRole, QString(page.stem));
   }
   m_contents->setFrameShape(QFrame::NoFrame);

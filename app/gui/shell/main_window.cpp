@@ -189,6 +189,7 @@ void MainWindow::createPage(int step) {
   scroll->setWidget(page);
   m_pages->addWidget(scroll);
   connect(page, &StepPage::availabilityChanged, this, &MainWindow::updateSteps);
+  connect(page, &StepPage::helpRequested, this, &MainWindow::showHelp);
   connect(page, &StepPage::detailsRequested, this, &MainWindow::showDetails);
   connect(page, &StepPage::goToStep, this, [this](const QString& title) {
     if (const int target = stepIndex(m_workspace->steps(), title); target >= 0) {

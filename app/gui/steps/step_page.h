@@ -33,9 +33,10 @@ public:
   virtual void left() {}    ///< another step is shown
 
 signals:
-  void availabilityChanged();          ///< missing() may have changed
-  void goToStep(const QString& title); ///< a button or link leads on
-  void detailsRequested();             ///< open the dialog of traceability details
+  void availabilityChanged();              ///< missing() may have changed
+  void goToStep(const QString& title);     ///< a button or link leads on
+  void detailsRequested();                 ///< open the dialog of traceability details
+  void helpRequested(const QString& page); ///< a file stem in resources/help
 };
 
 StepPage* makeConnectStep(StepContext context, QWidget* parent);

@@ -1,14 +1,21 @@
+#include "app/gui/field_steps/field_page_words.h"
+#include "app/gui/shell/field_step_catalogue.h"
+#include "app/gui/shell/help_window.h"
 #include "app/gui/shell/import_presenter.h"
 #include "app/gui/shell/line_icon.h"
 #include "app/gui/shell/program_start.h"
 #include "app/gui/shell/recent_files.h"
+#include "app/gui/shell/step_catalogue.h"
 #include "app/gui/shell/table_clipboard.h"
 #include "app/gui/shell/theme.h"
+#include "core/field/block_names.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QDir>
 #include <QFile>
+#include <QListWidget>
+#include <QMap>
 #include <QRegularExpression>
 #include <QSettings>
 #include <QTableWidget>
@@ -33,6 +40,7 @@ private slots:
   void recentFilesKeepTheLatest();
   void tablesAreCopiedWithTitles();
   void helpLinksLeadSomewhere();
+  void everyStepAndBlockHasItsPage();
 
 private:
   QTemporaryDir m_home;
@@ -225,6 +233,81 @@ void ShellPartsTest::helpLinksLeadSomewhere() {
       const QString target = matches.next().captured(1);
       QVERIFY2(QFile::exists(folder.filePath(target)), qPrintable(file + " -> " + target));
     }
+  }
+}
+
+void ShellPartsTest::everyStepAndBlockHasItsPage() {
+  // What each page has to say, beside the parts that every block's page has.
+  const QMap<QString, QStringList> terms{
+      {"field-nonlinearity", {"polynomial", "plateau", "order", "foretold"}},
+      {"field-probe-temperature", {"PT100", "chamber", "hysteresis", "lag", "uncertainty"}},
+      {"field-offset", {"zero-field chamber", "drift", "PT100"}},
+      {"field-sensitivity", {"slope", "intercept", "cubic", "locked"}},
+      {"field-electronics", {"climate chamber", "electronics", "drift"}},
+      {"field-electronics-sensitivity", {"gain", "electronics", "future work"}},
+      {"field-axis-matrix", {"orientation", "tilt", "angles between the axes", "package"}},
+      {"field-joint", {"Levenberg", "block after block", "weight|count"}},
+      {"field-verify", {"limit", "peak", "one sigma", "surface", "full scale"}},
+      {"field-uncertainty", {"expanded uncertainty", "residual", "repeatability", "95"}},
+      {"field-review", {"plateaus", "sweeps", "sphere"}},
+      {"field-fit", {"order", "reference temperature", "blocks"}},
+      {"field-compare", {"coefficients", "multiplications"}},
+      {"field-export", {"calibration.json", "report", "OpenGL"}},
+  };
+  QStringList wanted = terms.keys();
+  for (const StepEntry& step : fieldStepCatalogue()) {
+    wanted << QString(step.helpPage);
+  }
+  for (const StepEntry& step : stepCatalogue()) {
+    wanted << QString(step.helpPage);
+  }
+  for (const auto& [block, word] : straightedge::field::blockWords) {
+    wanted << blockHelpPage(block);
+    QVERIFY2(terms.contains(blockHelpPage(block)), qPrintable(blockHelpPage(block)));
+  }
+  HelpWindow help;
+  const auto* contents = help.findChild<QListWidget*>();
+  QStringList listed;
+  for (int row = 0; row < contents->count(); ++row) {
+    listed << contents->item(row)->data(Qt::UserRole).toString();
+  }
+  for (const QString& page : wanted) {
+    help.showPage(page);
+    QCOMPARE(help.currentPage(), page);
+    QVERIFY2(listed.contains(page), qPrintable(page + " is not among the contents"));
+    QVERIFY2(help.text().size() > 400, qPrintable(page));
+    QString text = help.text();
+    for (const QString& term : terms.value(page)) {
+      QVERIFY2(text.contains(QRegularExpression(term, QRegularExpression::CaseInsensitiveOption)),
+               qPrintable(page + " does not say: " + term));
+    }
+    const bool ofABlock = page.startsWith("field-") &&
+                          !QStringList({"field-review", "field-fit", "field-compare", "field-export"}).contains(page);
+    for (const char* part : {"How it is measured", "Formula", "What the figures show", "Source"}) {
+      QVERIFY2(!ofABlock || text.contains(part), qPrintable(page + " has no part: " + part));
+    }
+    QVERIFY2(!ofABlock || page == "field-uncertainty" || text.contains("costs"), qPrintable(page));
+  }
+  // Every page is listed, and every page of the field calibration is reached by links from its overview.
+  const QDir folder(":/help");
+  for (const QString& file : folder.entryList({"*.html"})) {
+    QVERIFY2(listed.contains(file.section('.', 0, 0)), qPrintable(file));
+  }
+  const QRegularExpression link("href=\"([^\"]+)[.]html\"");
+  QStringList reached{"field"};
+  for (qsizetype i = 0; i < reached.size(); ++i) {
+    QFile page(folder.filePath(reached[i] + ".html"));
+    QVERIFY(page.open(QIODevice::ReadOnly));
+    auto matches = link.globalMatch(QString::fromUtf8(page.readAll()));
+    while (matches.hasNext()) {
+      const QString target = matches.next().captured(1);
+      if (!reached.contains(target)) {
+        reached << target;
+      }
+    }
+  }
+  for (const QString& page : terms.keys()) {
+    QVERIFY2(reached.contains(page), qPrintable(page + " cannot be reached"));
   }
 }
 
