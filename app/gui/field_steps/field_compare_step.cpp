@@ -50,7 +50,7 @@ FieldCompareStep::FieldCompareStep(FieldStepContext context, QWidget* parent)
 
 QString FieldCompareStep::title() const { return tr("Compare"); }
 
-QString FieldCompareStep::helpPage() const { return QStringLiteral("field"); }
+QString FieldCompareStep::helpPage() const { return QStringLiteral("field-compare"); }
 
 QString FieldCompareStep::missing() const { return m_presenter.missing(); }
 

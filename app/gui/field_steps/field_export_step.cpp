@@ -18,8 +18,8 @@ StepPage* makeFieldExportStep(FieldStepContext context, QWidget* parent) {
       {say("Readings"),
        {{say("CSV"), QStringLiteral("exportCampaign"), say("campaign.csv: the rows the calibration was made from"),
          &ExportChoices::sweep}}}};
-  return new ExportStep(std::make_unique<FieldExportPresenter>(context.document, context.jobs), QStringLiteral("field"),
-                        rows + ExportStep::pictureRows(), parent);
+  return new ExportStep(std::make_unique<FieldExportPresenter>(context.document, context.jobs),
+                        QStringLiteral("field-export"), rows + ExportStep::pictureRows(), parent);
 }
 
 } // namespace straightedge::gui

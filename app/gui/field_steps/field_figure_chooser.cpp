@@ -1,17 +1,20 @@
 #include "app/gui/field_steps/field_figure_chooser.h"
 
 #include "app/gui/field_steps/field_page_figures.h"
+#include "app/gui/plots/scene_view.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 namespace straightedge::gui {
 
 FieldFigureChooser::FieldFigureChooser(const QString& name, QWidget* parent)
-    : QWidget(parent), m_box(new QComboBox(this)), m_plot(new PlotView(this)) {
+    : QWidget(parent), m_name(name), m_box(new QComboBox(this)), m_stack(new QStackedWidget(this)),
+      m_plot(new PlotView(m_stack)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   auto* bar = new QHBoxLayout;
@@ -26,7 +29,8 @@ FieldFigureChooser::FieldFigureChooser(const QString& name, QWidget* parent)
   bar->addWidget(m_box);
   bar->addStretch(1);
   layout->addLayout(bar);
-  layout->addWidget(m_plot, 1);
+  m_stack->addWidget(m_plot);
+  layout->addWidget(m_stack, 1);
   connect(m_box, &QComboBox::currentIndexChanged, this, [this](int place) {
     if (place >= 0 && place < m_figures.size()) {
       m_chosen = m_figures[place].stem;
@@ -58,7 +62,23 @@ void FieldFigureChooser::chooseFigure(const QString& stem) {
 
 void FieldFigureChooser::showChosen() {
   const int place = m_box->currentIndex();
-  m_plot->setSpec(place >= 0 && place < m_figures.size() ? m_figures[place].make() : m_otherwise);
+  if (place < 0 || place >= m_figures.size()) {
+    m_plot->setSpec(m_otherwise);
+    m_stack->setCurrentWidget(m_plot);
+  } else if (!m_figures[place].isScene()) {
+    m_plot->setSpec(m_figures[place].make());
+    m_stack->setCurrentWidget(m_plot);
+  } else {
+    if (m_scene == nullptr) {
+      m_scene = new SceneView(m_stack);
+      m_scene->setObjectName(m_name + QStringLiteral("Scene"));
+      m_scene->setMinimumHeight(180);
+      m_scene->setToolTip(tr("Drag or arrow keys turn it, the wheel or + and − zoom, double click or Home resets"));
+      m_stack->addWidget(m_scene);
+    }
+    m_scene->setSpec(m_figures[place].scene());
+    m_stack->setCurrentWidget(m_scene);
+  }
 }
 
 } // namespace straightedge::gui

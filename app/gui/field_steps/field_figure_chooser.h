@@ -1,4 +1,5 @@
-// A plot with a box to choose its figure from; keeps the choice by the figure's name while results come and go.
+// A plot or a three-dimensional picture with a box to choose it from; keeps the choice by the figure's name while
+// results come and go.
 #pragma once
 
 #include "app/gui/figures/named_figure.h"
@@ -8,8 +9,11 @@
 #include <QWidget>
 
 class QComboBox;
+class QStackedWidget;
 
 namespace straightedge::gui {
+
+class SceneView;
 
 /// GUI thread.
 class FieldFigureChooser : public QWidget {
@@ -22,15 +26,19 @@ public:
   void setFigures(const QList<NamedFigure>& figures, const PlotSpec& otherwise);
   void chooseFigure(const QString& stem); ///< once it is there
   PlotView& plot() { return *m_plot; }
+  SceneView* scene() { return m_scene; } ///< null until a three-dimensional figure was chosen
 
 private:
   void showChosen();
 
+  QString m_name;
   QList<NamedFigure> m_figures;
   PlotSpec m_otherwise;
   QString m_chosen;
   QComboBox* m_box;
+  QStackedWidget* m_stack;
   PlotView* m_plot;
+  SceneView* m_scene = nullptr;
 };
 
 } // namespace straightedge::gui

@@ -1,6 +1,7 @@
 #include "app/gui/field_steps/field_fit_step.h"
 
 #include "app/gui/field_steps/field_figure_chooser.h"
+#include "app/gui/field_steps/field_page_words.h"
 #include "app/gui/steps/result_table.h"
 #include "app/gui/steps/value_label.h"
 
@@ -15,6 +16,7 @@
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QTabWidget>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace straightedge::gui {
@@ -50,7 +52,15 @@ FieldFitStep::FieldFitStep(FieldStepContext context, QWidget* parent)
 
 QString FieldFitStep::title() const { return tr("Fit"); }
 
-QString FieldFitStep::helpPage() const { return QStringLiteral("field"); }
+QString FieldFitStep::helpPage() const {
+  const QList<FieldFitPresenter::BlockChoice> blocks = m_presenter.blocks();
+  for (int i = 0; i < m_blocks.size(); ++i) { // of the block that the keyboard is at
+    if (m_blocks[i]->hasFocus() || m_blockHelps[i]->hasFocus()) {
+      return blockHelpPage(blocks[i].block);
+    }
+  }
+  return QStringLiteral("field-fit");
+}
 
 QString FieldFitStep::missing() const { return m_presenter.missing(); }
 
@@ -115,10 +125,23 @@ QWidget* FieldFitStep::makeBlocks(QWidget* parent) {
   auto* box = new QGroupBox(tr("Blocks of the correction"), parent);
   auto* layout = new QVBoxLayout(box);
   for (const FieldFitPresenter::BlockChoice& choice : m_presenter.blocks()) {
+    auto* row = new QHBoxLayout;
     auto* check = new QCheckBox(box);
     check->setObjectName(QStringLiteral("block%1").arg(static_cast<int>(choice.block)));
-    layout->addWidget(check);
+    auto* help = new QToolButton(box);
+    help->setObjectName(QStringLiteral("blockHelp%1").arg(static_cast<int>(choice.block)));
+    help->setText(QStringLiteral("?"));
+    help->setAutoRaise(true);
+    help->setFocusPolicy(Qt::StrongFocus);
+    help->setAccessibleName(tr("Help: %1").arg(choice.title));
+    help->setToolTip(tr("What %1 corrects, and how it is measured (F1)").arg(choice.title.toLower()));
+    row->addWidget(check, 1);
+    row->addWidget(help);
+    layout->addLayout(row);
     m_blocks.append(check);
+    m_blockHelps.append(help);
+    connect(help, &QToolButton::clicked, this,
+            [this, block = choice.block] { emit helpRequested(blockHelpPage(block)); });
     connect(check, &QCheckBox::toggled, this,
             [this, block = choice.block](bool on) { m_presenter.setBlockOn(block, on); });
   }

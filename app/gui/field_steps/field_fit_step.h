@@ -10,6 +10,7 @@ class QDoubleSpinBox;
 class QHBoxLayout;
 class QLabel;
 class QTabWidget;
+class QToolButton;
 
 namespace straightedge::gui {
 
@@ -46,7 +47,8 @@ private:
   QDoubleSpinBox* m_fullScale = nullptr;
   QDoubleSpinBox* m_reference = nullptr;
   QLabel* m_fitText = nullptr;
-  QList<QCheckBox*> m_blocks; ///< in the chain's order
+  QList<QCheckBox*> m_blocks;       ///< in the chain's order
+  QList<QToolButton*> m_blockHelps; ///< beside them
   QHBoxLayout* m_numbers = nullptr;
   QList<ValueLabel*> m_numberLabels;
   FieldFigureChooser* m_figures = nullptr;

@@ -1,6 +1,7 @@
 #include "app/gui/field_steps/field_review_presenter.h"
 
 #include "app/gui/figures/field_campaign_figures.h"
+#include "app/gui/figures/field_scene_figures.h"
 #include "app/gui/figures/figure_parts.h"
 
 #include <algorithm>
@@ -130,6 +131,10 @@ const PlotSpec& FieldReviewPresenter::plot(field::CampaignStep step) const {
     m_plotted = step;
   }
   return m_figure.spec;
+}
+
+SphereSpec FieldReviewPresenter::orientations() const {
+  return orientationSphere(orientationsCovered(m_document.campaign(), m_document.rowsEnabled()));
 }
 
 std::optional<std::size_t> FieldReviewPresenter::rowAt(int series, int index) const {

@@ -4,6 +4,7 @@
 #include "app/gui/document/field_document.h"
 #include "app/gui/field_steps/campaign_stages.h"
 #include "app/gui/figures/sweep_figures.h"
+#include "app/gui/plots/scene_spec.h"
 #include "app/gui/steps/notice_list.h"
 
 #include <QList>
@@ -41,6 +42,7 @@ public:
   /// Raw readings of a step in the order recorded.
   const PlotSpec& plot(field::CampaignStep step) const;
   std::optional<std::size_t> rowAt(int series, int index) const; ///< of the plot made last
+  SphereSpec orientations() const;                               ///< directions covered by the rows that count
 
 signals:
   void changed();

@@ -2,6 +2,7 @@
 
 #include "app/gui/field_steps/field_page_words.h"
 #include "app/gui/figures/field_figure_parts.h"
+#include "app/gui/plots/scene_view.h"
 #include "app/gui/steps/value_label.h"
 
 #include <QClipboard>
@@ -13,6 +14,7 @@
 #include <QScopedValueRollback>
 #include <QSignalBlocker>
 #include <QSplitter>
+#include <QTabWidget>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -91,7 +93,7 @@ FieldReviewStep::FieldReviewStep(FieldStepContext context, QWidget* parent)
 
 QString FieldReviewStep::title() const { return tr("Review"); }
 
-QString FieldReviewStep::helpPage() const { return QStringLiteral("field"); }
+QString FieldReviewStep::helpPage() const { return QStringLiteral("field-review"); }
 
 QString FieldReviewStep::missing() const { return m_presenter.missing(); }
 
@@ -105,7 +107,10 @@ void FieldReviewStep::entered() {
 void FieldReviewStep::left() { m_shown = false; }
 
 QWidget* FieldReviewStep::makePlot() {
-  auto* box = new QWidget(this);
+  auto* tabs = new QTabWidget(this);
+  tabs->setObjectName(QStringLiteral("fieldReviewTabs"));
+  tabs->setDocumentMode(true);
+  auto* box = new QWidget(tabs);
   auto* layout = new QVBoxLayout(box);
   layout->setContentsMargins(0, 0, 0, 0);
   m_plot = new PlotView(box);
@@ -130,7 +135,12 @@ QWidget* FieldReviewStep::makePlot() {
     }
     m_presenter.toggle(rows);
   });
-  return box;
+  m_orientations = new SceneView(tabs);
+  m_orientations->setObjectName(QStringLiteral("fieldReviewOrientations"));
+  m_orientations->setToolTip(tr("Drag or arrow keys turn it, the wheel or + and − zoom, double click or Home resets"));
+  tabs->addTab(box, tr("Rea&dings"));
+  tabs->addTab(m_orientations, tr("&Orientations covered"));
+  return tabs;
 }
 
 QWidget* FieldReviewStep::makeStages() {
@@ -293,6 +303,7 @@ void FieldReviewStep::refresh() {
     showStages();
     showPlot();
     showActions();
+    m_orientations->setSpec(m_presenter.orientations());
   }
 }
 

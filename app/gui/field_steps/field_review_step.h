@@ -12,6 +12,7 @@ class QTreeWidgetItem;
 
 namespace straightedge::gui {
 
+class SceneView;
 class ValueLabel;
 
 class FieldReviewStep : public StepPage {
@@ -55,6 +56,7 @@ private:
   QHBoxLayout* m_facts = nullptr;
   QList<ValueLabel*> m_factLabels;
   PlotView* m_plot = nullptr;
+  SceneView* m_orientations = nullptr;
   QTreeWidget* m_stages = nullptr;
   QPushButton* m_off = nullptr;
   QPushButton* m_on = nullptr;

@@ -35,7 +35,7 @@ FieldVerifyStep::FieldVerifyStep(FieldStepContext context, QWidget* parent)
 
 QString FieldVerifyStep::title() const { return tr("Verify"); }
 
-QString FieldVerifyStep::helpPage() const { return QStringLiteral("field"); }
+QString FieldVerifyStep::helpPage() const { return QStringLiteral("field-verify"); }
 
 QString FieldVerifyStep::missing() const { return m_presenter.missing(); }
 

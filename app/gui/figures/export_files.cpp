@@ -4,6 +4,7 @@
 #include "app/gui/figures/report_content.h"
 #include "app/gui/figures/report_html.h"
 #include "app/gui/figures/report_pdf.h"
+#include "app/gui/figures/scene_pictures.h"
 #include "core/angle/sweep_csv.h"
 #include "core/base/file_output.h"
 #include "core/export/calibration_json.h"
@@ -52,7 +53,8 @@ void addTables(Files& files, const Results& results, const ExportChoices& choice
 
 } // namespace
 
-void addPictures(Files& files, const QList<NamedFigure>& figures, const ExportChoices& choices) {
+void addPictures(Files& files, const QList<NamedFigure>& figures, const ExportChoices& choices,
+                 const std::shared_ptr<ScenePictures>& scenes) {
   const QList<std::pair<bool, PictureFormat>> formats{{choices.plotsPng, PictureFormat::Png},
                                                       {choices.plotsSvg, PictureFormat::Svg},
                                                       {choices.plotsPdf, PictureFormat::Pdf}};
@@ -60,6 +62,13 @@ void addPictures(Files& files, const QList<NamedFigure>& figures, const ExportCh
     return;
   }
   for (const NamedFigure& figure : figures) {
+    if (figure.isScene()) {
+      if (scenes) {
+        files.push_back({QStringLiteral("plots/") + figure.stem + QStringLiteral(".png"),
+                         [scenes, figure] { return scenes->png(figure); }});
+      }
+      continue;
+    }
     for (const auto& [wanted, format] : formats) {
       if (wanted) {
         files.push_back({QStringLiteral("plots/") + figure.stem + QLatin1Char('.') + suffixOf(format),
@@ -102,6 +111,10 @@ Result<QStringList> writeFiles(const Files& files, const QString& folder, const 
     if (job.stopRequested()) {
       return fail(ErrorKind::Cancelled, "the export was stopped", "nothing was written", folder.toStdString());
     }
+    const QByteArray bytes = file.bytes();
+    if (bytes.isNull()) {
+      continue;
+    }
     const QString path = folder + QLatin1Char('/') + file.name;
     if (const Result<void> made = makeFolder(QFileInfo(path).path().toStdString()); !made) {
       return std::unexpected(made.error());
@@ -110,7 +123,6 @@ Result<QStringList> writeFiles(const Files& files, const QString& folder, const 
     if (!out) {
       return std::unexpected(out.error());
     }
-    const QByteArray bytes = file.bytes();
     if (const Result<void> written = out->write({bytes.constData(), static_cast<std::size_t>(bytes.size())});
         !written) {
       return std::unexpected(written.error());

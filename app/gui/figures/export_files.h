@@ -11,9 +11,12 @@
 #include <QStringList>
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace straightedge::gui {
+
+class ScenePictures;
 
 struct ExportChoices {
   bool calibration = true; ///< calibration.json
@@ -33,7 +36,7 @@ struct ExportChoices {
 /// A file to be written: its name below the folder and how its bytes are made. Any thread.
 struct FileToWrite {
   QString name;
-  std::function<QByteArray()> bytes;
+  std::function<QByteArray()> bytes; ///< null: cannot be made here, the file is left out
 };
 
 /// What the choices come to with these results; files without content (no sweep, no comparison) are left out.
@@ -42,8 +45,10 @@ std::vector<FileToWrite> filesToWrite(const std::shared_ptr<const AngleResults>&
 /// Of a field calibration: tablesCsv is coefficients.csv and a table per block; tablesJson and comparison give nothing.
 std::vector<FileToWrite> filesToWrite(const std::shared_ptr<const FieldResults>& results, const ExportChoices& choices);
 
-/// Adds plots/STEM.png, … of every figure in the formats chosen.
-void addPictures(std::vector<FileToWrite>& files, const QList<NamedFigure>& figures, const ExportChoices& choices);
+/// Adds plots/STEM.png, … of every figure in the formats chosen; three-dimensional ones, by `scenes`, as PNG whichever
+/// are.
+void addPictures(std::vector<FileToWrite>& files, const QList<NamedFigure>& figures, const ExportChoices& choices,
+                 const std::shared_ptr<ScenePictures>& scenes = {});
 
 /// Writes them below `folder`, which is made where it is missing. Every file is written whole under a temporary name
 /// before the first takes its name: stopped or failed until then, the files that were there stay as they were (folders

@@ -2,6 +2,7 @@
 #include "app/gui/figures/report_content.h"
 #include "app/gui/figures/report_html.h"
 #include "app/gui/figures/report_pdf.h"
+#include "app/gui/figures/scene_pictures.h"
 #include "core/export/field_calibration_json.h"
 #include "core/export/field_tables.h"
 #include "core/field/campaign_csv.h"
@@ -29,12 +30,13 @@ std::vector<FileToWrite> filesToWrite(const std::shared_ptr<const FieldResults>&
   if (choices.sweep && results->campaign && !results->campaign->rows.empty()) {
     add("campaign.csv", [results, bytesOf] { return bytesOf(field::campaignCsv(*results->campaign)); });
   }
-  addPictures(files, fieldFigures(results), choices);
+  const auto scenes = std::make_shared<ScenePictures>();
+  addPictures(files, fieldFigures(results), choices, scenes);
   if (choices.reportPdf) {
-    add("report.pdf", [results] { return reportAsPdf(fieldReport(results)); });
+    add("report.pdf", [results, scenes] { return reportAsPdf(fieldReport(results, scenes.get())); });
   }
   if (choices.reportHtml) {
-    add("report.html", [results] { return reportAsHtml(fieldReport(results)); });
+    add("report.html", [results, scenes] { return reportAsHtml(fieldReport(results, scenes.get())); });
   }
   return files;
 }

@@ -5,13 +5,16 @@
 #include "app/gui/figures/field_cost_figures.h"
 #include "app/gui/figures/field_figure_parts.h"
 #include "app/gui/figures/field_nonlinearity_figures.h"
+#include "app/gui/figures/field_scene_figures.h"
 #include "app/gui/figures/field_sensitivity_figures.h"
+#include "app/gui/figures/field_surface_figures.h"
 #include "app/gui/figures/field_temperature_figures.h"
 #include "app/gui/figures/field_verification_figures.h"
 #include "app/gui/figures/field_words.h"
 #include "core/field/names.h"
 
 #include <algorithm>
+#include <array>
 
 namespace straightedge::gui {
 
@@ -26,7 +29,14 @@ public:
 
   template <typename Make>
   void add(const QString& stem, FigureTopic topic, const QString& caption, Make make) {
-    figures.append({stem, topic, caption, [results = m_results, make = std::move(make)] { return make(*results); }});
+    figures.append(
+        {stem, topic, caption, [results = m_results, make = std::move(make)] { return make(*results); }, {}});
+  }
+  template <typename Make>
+  void addScene(const QString& stem, FigureTopic topic, const QString& caption, Make make) {
+    figures.append({stem, topic, caption, {}, [results = m_results, make = std::move(make)]() -> SceneSpec {
+                      return make(*results);
+                    }});
   }
   const FieldResults& results() const { return *m_results; }
 
@@ -95,7 +105,9 @@ void addProbeAndOffset(FieldFigureList& list) {
                return probeLoopFigure(*r.run->reports.probeTemperature, stepwiseChain(*r.run).referenceTemperatureC);
              });
     list.add(QStringLiteral("probe-temperature-hysteresis"), FigureTopic::ProbeTemperature,
-             QStringLiteral("The same less the line, with a band of two standard uncertainties."),
+             QStringLiteral(
+                 "What scatters about the line, with a band of two standard uncertainties; where a lag was found, "
+                 "with the lag taken away."),
              [](const FieldResults& r) {
                return probeResidualFigure(*r.run->reports.probeTemperature,
                                           stepwiseChain(*r.run).referenceTemperatureC);
@@ -177,6 +189,44 @@ const field::FieldVerification* verifiedErrors(const FieldResults& results) {
   return results.run ? &results.run->verification : nullptr;
 }
 
+/// Error over field and temperature, before and after on one scale, and after on a scale of its own.
+void addSurfaces(FieldFigureList& list) {
+  const field::FieldVerification* verified = verifiedErrors(list.results());
+  if (verified == nullptr) {
+    return;
+  }
+  struct Kind {
+    const char* stem;
+    const char* what;
+    CorrectionState state;
+    SurfaceScale scale;
+  };
+  constexpr std::array<Kind, 3> kinds{{
+      {"surface-before", "before correction", CorrectionState::Before, SurfaceScale::Shared},
+      {"surface-after", "after correction, on the scale of the one before", CorrectionState::After,
+       SurfaceScale::Shared},
+      {"surface-after-enlarged", "after correction, on a scale of its own", CorrectionState::After, SurfaceScale::Own},
+  }};
+  for (std::size_t i = 0; i < verified->errors.size(); ++i) {
+    const auto make = [i](const FieldResults& r, const Kind& kind) {
+      const field::CorrectionChain& chain = r.calibration.chain;
+      return residualSurface(verifiedErrors(r)->errors[i], chain.fullScaleT, chain.referenceTemperatureC, kind.state,
+                             kind.scale);
+    };
+    if (make(list.results(), kinds.front()).isEmpty()) {
+      continue;
+    }
+    const field::Axis axis = verified->errors[i].axis;
+    for (const Kind& kind : kinds) {
+      list.addScene(
+          ofAxis(kind.stem, axis), FigureTopic::Verification,
+          QStringLiteral("Axis %1: mean error over field and probe temperature %2; blue below zero, red above.")
+              .arg(axisLetter(axis), QLatin1String(kind.what)),
+          [make, kind](const FieldResults& r) { return make(r, kind); });
+    }
+  }
+}
+
 void addFieldVerification(FieldFigureList& list) {
   constexpr FigureTopic topic = FigureTopic::Verification;
   if (const field::FieldVerification* verified = verifiedErrors(list.results())) {
@@ -199,6 +249,26 @@ void addFieldVerification(FieldFigureList& list) {
     list.add(QStringLiteral("verification-blocks"), topic,
              QStringLiteral("Largest error before and after each block, all temperatures."),
              [](const FieldResults& r) { return blockPeaksFigure(r.calibration.verification); });
+  }
+  addSurfaces(list);
+}
+
+void addAxisMatrix(FieldFigureList& list) {
+  constexpr FigureTopic topic = FigureTopic::AxisMatrix;
+  if (list.results().calibration.chain.axisMatrix) {
+    list.add(QStringLiteral("axis-tilts"), topic,
+             QStringLiteral("How far each axis of the probe points away from its axis of the package."),
+             [](const FieldResults& r) { return axisTiltsFigure(*r.calibration.chain.axisMatrix); });
+    list.addScene(QStringLiteral("axis-directions"), topic,
+                  QStringLiteral("The same in space: axes of the probe as arrows, axes of the package thin."),
+                  [](const FieldResults& r) { return axisDirections(*r.calibration.chain.axisMatrix); });
+  }
+  if (list.results().campaign && !orientationSphere(orientationsCovered(*list.results().campaign)).isEmpty()) {
+    list.addScene(
+        QStringLiteral("orientations"), topic,
+        QStringLiteral("Directions of the package that pointed along the field, with the locked rows of each: "
+                       "a filled cap was measured, a ring was not."),
+        [](const FieldResults& r) { return orientationSphere(orientationsCovered(*r.campaign)); });
   }
 }
 
@@ -239,11 +309,7 @@ QList<NamedFigure> fieldFigures(const std::shared_ptr<const FieldResults>& resul
     addSensitivity(list);
     addElectronics(list);
   }
-  if (results->calibration.chain.axisMatrix) {
-    list.add(QStringLiteral("axis-tilts"), FigureTopic::AxisMatrix,
-             QStringLiteral("How far each axis of the probe points away from its axis of the package."),
-             [](const FieldResults& r) { return axisTiltsFigure(*r.calibration.chain.axisMatrix); });
-  }
+  addAxisMatrix(list);
   addFieldVerification(list);
   if (results->calibration.uncertainty && !results->calibration.uncertainty->grid.empty()) {
     list.add(QStringLiteral("uncertainty"), FigureTopic::Uncertainty,

@@ -150,7 +150,7 @@ void addHowMade(ReportWriter& report, const field::FieldCalibration& calibration
 
 } // namespace
 
-ReportContent fieldReport(const std::shared_ptr<const FieldResults>& shared) {
+ReportContent fieldReport(const std::shared_ptr<const FieldResults>& shared, ScenePictures* pictures) {
   const FieldResults& results = *shared;
   const field::FieldCalibration& calibration = results.calibration;
   ReportContent content;
@@ -160,7 +160,7 @@ ReportContent fieldReport(const std::shared_ptr<const FieldResults>& shared) {
   content.created = fromText(calibration.created);
 
   const QList<NamedFigure> figures = fieldFigures(shared);
-  ReportWriter report(content);
+  ReportWriter report(content, pictures);
   ReportTable origin =
       traceabilityTable({calibration.traceability, calibration.source, calibration.software, calibration.created,
                          microteslaText(calibration.traceability.reference.uncertainty)});

@@ -53,10 +53,65 @@ std::vector<double> temperaturesOf(const Eigen::VectorXd& probeC, double coldest
   return middles;
 }
 
+/// Cells of fields and temperatures that readings fall into; empty where there are fewer than two of either.
+struct SurfaceGrid {
+  std::vector<double> fieldsT, probeC;
+  std::vector<std::size_t> cellOfReading;
+
+  bool isEmpty() const { return cellOfReading.empty(); }
+};
+
+SurfaceGrid gridOf(const field::AxisErrors& errors) {
+  SurfaceGrid grid;
+  if (errors.probeC.size() == 0) {
+    return grid;
+  }
+  grid.fieldsT = settingsOf(errors.referenceT, field::plateauToleranceT);
+  const double coldest = errors.probeC.minCoeff();
+  const double span = errors.probeC.maxCoeff() - coldest;
+  if (grid.fieldsT.size() < 2 || !(span > 0.0)) {
+    return grid;
+  }
+  grid.probeC = temperaturesOf(errors.probeC, coldest, span);
+  for (Eigen::Index i = 0; i < errors.probeC.size(); ++i) {
+    grid.cellOfReading.push_back(nearest(grid.probeC, errors.probeC[i]) * grid.fieldsT.size() +
+                                 nearest(grid.fieldsT, errors.referenceT[i]));
+  }
+  return grid;
+}
+
+/// Means of the cells in percent of full scale, row by row of equal temperature.
+QList<double> heightsOn(const SurfaceGrid& grid, const Eigen::VectorXd& errorT, double fullScaleT) {
+  const std::size_t cells = grid.fieldsT.size() * grid.probeC.size();
+  std::vector<double> sum(cells, 0.0);
+  std::vector<int> count(cells, 0);
+  for (Eigen::Index i = 0; i < errorT.size(); ++i) {
+    const std::size_t cell = grid.cellOfReading[static_cast<std::size_t>(i)];
+    sum[cell] += 100.0 * errorT[i] / fullScaleT;
+    ++count[cell];
+  }
+  QList<double> heights;
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    heights.append(count[cell] > 0 ? sum[cell] / count[cell] : std::numeric_limits<double>::quiet_NaN());
+  }
+  return heights;
+}
+
+/// Equally far below zero as above, so that blue and red weigh the same.
+std::pair<double, double> evenRange(std::initializer_list<const QList<double>*> lists) {
+  double reach = 0.0;
+  for (const QList<double>* heights : lists) {
+    for (const double height : *heights) {
+      reach = std::isfinite(height) ? std::max(reach, std::abs(height)) : reach;
+    }
+  }
+  return {-reach, reach};
+}
+
 } // namespace
 
 SurfaceSpec residualSurface(const field::AxisErrors& errors, double fullScaleT, double referenceTemperatureC,
-                            CorrectionState state) {
+                            CorrectionState state, SurfaceScale scale) {
   SurfaceSpec spec;
   const bool before = state == CorrectionState::Before;
   spec.title = QStringLiteral("Error over field and temperature %1 correction, axis %2")
@@ -64,32 +119,21 @@ SurfaceSpec residualSurface(const field::AxisErrors& errors, double fullScaleT, 
   spec.xTitle = fieldTitle();
   spec.yTitle = probeTitle();
   spec.zTitle = QStringLiteral("Error (% of full scale)");
-  const Eigen::VectorXd& errorT = before ? errors.beforeT : errors.afterT;
-  if (errorT.size() == 0) {
+  spec.colors = SurfaceColors::DivergingFromZero;
+  const SurfaceGrid grid = gridOf(errors);
+  if (grid.isEmpty()) {
     return spec;
   }
-  const std::vector<double> settings = settingsOf(errors.referenceT, field::plateauToleranceT);
-  const double coldest = errors.probeC.minCoeff();
-  const double span = errors.probeC.maxCoeff() - coldest;
-  if (settings.size() < 2 || !(span > 0.0)) {
-    return spec;
-  }
-  const std::vector<double> temperatures = temperaturesOf(errors.probeC, coldest, span);
-  const std::size_t cells = settings.size() * temperatures.size();
-  std::vector<double> sum(cells, 0.0);
-  std::vector<int> count(cells, 0);
-  for (Eigen::Index i = 0; i < errorT.size(); ++i) {
-    const std::size_t cell =
-        nearest(temperatures, errors.probeC[i]) * settings.size() + nearest(settings, errors.referenceT[i]);
-    sum[cell] += 100.0 * errorT[i] / fullScaleT;
-    ++count[cell];
-  }
-  spec.x = QList<double>(settings.begin(), settings.end());
-  for (const double aboveReference : temperatures) {
+  spec.x = QList<double>(grid.fieldsT.begin(), grid.fieldsT.end());
+  for (const double aboveReference : grid.probeC) {
     spec.y.append(referenceTemperatureC + aboveReference);
   }
-  for (std::size_t cell = 0; cell < cells; ++cell) {
-    spec.z.append(count[cell] > 0 ? sum[cell] / count[cell] : std::numeric_limits<double>::quiet_NaN());
+  spec.z = heightsOn(grid, before ? errors.beforeT : errors.afterT, fullScaleT);
+  if (scale == SurfaceScale::Own) {
+    spec.zRange = evenRange({&spec.z});
+  } else {
+    const QList<double> other = heightsOn(grid, before ? errors.afterT : errors.beforeT, fullScaleT);
+    spec.zRange = evenRange({&spec.z, &other});
   }
   return spec;
 }

@@ -10,41 +10,44 @@ namespace straightedge::gui {
 
 namespace {
 
-/// Rows recorded while the chamber rose and fell, the runs of each parted by gaps.
+/// Rows recorded while the chamber rose and fell, the runs of each parted by gaps. Rows at a standstill go with the run
+/// before.
 struct LoopBranches {
   PlotSeries heating = lineSeries(QStringLiteral("Heating"), SeriesColor::Second);
   PlotSeries cooling = lineSeries(QStringLiteral("Cooling"), SeriesColor::First);
 };
 
-LoopBranches branchesOf(const field::ProbeTemperatureReport& report, const Eigen::VectorXd& y, double shift) {
+LoopBranches branchesOf(const field::ProbeTemperatureReport& report, const Eigen::VectorXd& x,
+                        const Eigen::VectorXd& y) {
   LoopBranches branches;
-  const Eigen::Index last = report.chamberC.size() - 1;
-  for (Eigen::Index i = 0; i <= last; ++i) {
-    // over several rows, so that noise of the chamber's thermometer does not decide
-    constexpr Eigen::Index reach = 5;
-    const double change =
-        report.chamberC[std::min(last, i + reach)] - report.chamberC[std::max<Eigen::Index>(0, i - reach)];
-    PlotSeries& branch = change >= 0.0 ? branches.heating : branches.cooling;
-    PlotSeries& other = change >= 0.0 ? branches.cooling : branches.heating;
+  bool heats = true;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const int direction = report.directions[static_cast<std::size_t>(i)];
+    heats = direction == 0 ? heats : direction > 0;
+    PlotSeries& branch = heats ? branches.heating : branches.cooling;
+    PlotSeries& other = heats ? branches.cooling : branches.heating;
     if (!other.x.isEmpty() && std::isfinite(other.y.back())) {
-      other.x.append(report.ohm[i]);
+      other.x.append(x[i]);
       other.y.append(std::numeric_limits<double>::quiet_NaN());
     }
-    branch.x.append(report.ohm[i]);
-    branch.y.append(y[i] + shift);
+    branch.x.append(x[i]);
+    branch.y.append(y[i]);
   }
   return branches;
 }
 
 QString probeNote(const field::ProbeTemperatureReport& report) {
-  QString note = QStringLiteral("Standard uncertainty %1 °C").arg(peopleNumber(report.standardUncertaintyC, 2));
+  QStringList parts;
   if (report.hysteresisC) {
-    note += QStringLiteral("; loop %1 °C wide in the mean").arg(peopleNumber(*report.hysteresisC, 2));
+    QString loop = QStringLiteral("Loop %1 °C wide as recorded").arg(peopleNumber(*report.hysteresisC, 2));
+    if (report.lagS && report.loopLeftC) {
+      loop += QStringLiteral(", %1 °C with the lag of %2 s taken away")
+                  .arg(peopleNumber(*report.loopLeftC, 2), peopleNumber(*report.lagS, 3));
+    }
+    parts << loop;
   }
-  if (report.lagS) {
-    note += QStringLiteral("; lag %1 s").arg(peopleNumber(*report.lagS, 2));
-  }
-  return note;
+  parts << QStringLiteral("Standard uncertainty %1 °C").arg(peopleNumber(report.standardUncertaintyC, 2));
+  return parts.join(QStringLiteral(". "));
 }
 
 } // namespace
@@ -54,26 +57,28 @@ PlotSpec probeLoopFigure(const field::ProbeTemperatureReport& report, double ref
   spec.title = QStringLiteral("PT100 over the temperature sweep");
   spec.x = dataAxis(QStringLiteral("PT100 resistance (Ω)"));
   spec.y = dataAxis(QStringLiteral("Chamber temperature (°C)"));
-  const LoopBranches branches = branchesOf(report, report.chamberC, referenceTemperatureC);
+  const LoopBranches branches = branchesOf(report, report.ohm, report.chamberC.array() + referenceTemperatureC);
   const QList<double> along = evenly(report.ohm.minCoeff(), report.ohm.maxCoeff(), 2);
   const std::array<double, 2> line = {report.line.interceptC + referenceTemperatureC, report.line.slopeCPerOhm};
-  spec.series = {branches.heating, branches.cooling,
-                 lineSeries(QStringLiteral("Line"), SeriesColor::Reference, along, polynomialOver(line, along))};
+  spec.series = {branches.heating, branches.cooling};
+  if (report.lagS) {
+    spec.series.append(pointSeries(QStringLiteral("As the probe felt it, behind the lag"), SeriesColor::Third,
+                                   scaledList(report.ohm, 1.0), scaledList(report.feltC, 1.0, referenceTemperatureC)));
+  }
+  spec.series.append(lineSeries(QStringLiteral("Line"), SeriesColor::Reference, along, polynomialOver(line, along)));
   spec.note = QStringLiteral("%1 °C per Ω. ").arg(peopleNumber(report.line.slopeCPerOhm, 5)) + probeNote(report);
   return spec;
 }
 
 PlotSpec probeResidualFigure(const field::ProbeTemperatureReport& report, double referenceTemperatureC) {
   PlotSpec spec;
-  spec.title = QStringLiteral("Hysteresis of the PT100 about its line");
+  spec.title = report.lagS ? QStringLiteral("What remains about the PT100's line, the lag taken away")
+                           : QStringLiteral("Hysteresis of the PT100 about its line");
   spec.x = dataAxis(QStringLiteral("Temperature on the line (°C)"));
-  spec.y = dataAxis(QStringLiteral("Chamber − line (°C)"));
-  LoopBranches branches = branchesOf(report, report.chamberC - report.lineC, 0.0);
-  for (PlotSeries* branch : {&branches.heating, &branches.cooling}) {
-    for (double& ohm : branch->x) {
-      ohm = report.line.interceptC + report.line.slopeCPerOhm * ohm + referenceTemperatureC;
-    }
-  }
+  spec.y = dataAxis(report.lagS ? QStringLiteral("Chamber behind the lag − line (°C)")
+                                : QStringLiteral("Chamber − line (°C)"));
+  const LoopBranches branches =
+      branchesOf(report, report.lineC.array() + referenceTemperatureC, report.feltC - report.lineC);
   spec.series = {branches.heating, branches.cooling};
   const QList<double> along = {report.lineC.minCoeff() + referenceTemperatureC,
                                report.lineC.maxCoeff() + referenceTemperatureC};

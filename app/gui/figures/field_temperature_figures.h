@@ -10,10 +10,13 @@
 
 namespace straightedge::gui {
 
-/// Figure 7: chamber temperature over the PT100's resistance, heating and cooling, with the line.
+/// Figure 7: chamber temperature over the PT100's resistance, heating and cooling, with the line; where a lag was found
+/// also the temperature as the probe felt it, which is what the line goes through.
 PlotSpec probeLoopFigure(const field::ProbeTemperatureReport& report, double referenceTemperatureC);
 
-/// The same less the line, with twice its standard uncertainty as a band: the loop's width can be read off.
+/// What scatters about the line, with twice the standard uncertainty as a band: the recorded loop, or, where a lag was
+/// found, what remains of it once the lag is taken away (a recorded loop many times as wide as the band says nothing of
+/// the line).
 PlotSpec probeResidualFigure(const field::ProbeTemperatureReport& report, double referenceTemperatureC);
 
 enum class ZeroFieldOver : std::uint8_t { Probe, Electronics };

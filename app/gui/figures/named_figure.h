@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/gui/plots/plot_spec.h"
+#include "app/gui/plots/scene_spec.h"
 
 #include <QString>
 
@@ -32,8 +33,11 @@ enum class FigureTopic : std::uint8_t {
 struct NamedFigure {
   QString stem; ///< file name without folder and extension, e.g. "correction-curve"
   FigureTopic topic = FigureTopic::Data;
-  QString caption;                ///< a sentence or two: what is drawn and how it was made
-  std::function<PlotSpec()> make; ///< the plot; any thread
+  QString caption;                       ///< a sentence or two: what is drawn and how it was made
+  std::function<PlotSpec()> make;        ///< the plot; any thread
+  std::function<SceneSpec()> scene = {}; ///< instead of `make`: a three-dimensional picture; any thread
+
+  bool isScene() const { return static_cast<bool>(scene); }
 };
 
 } // namespace straightedge::gui

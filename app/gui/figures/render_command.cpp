@@ -118,6 +118,13 @@ ExportChoices picturesOnly(const RenderOptions& options) {
 
 Result<void> write(const std::vector<FileToWrite>& files, const RenderOptions& options) {
   const Result<QStringList> written = writeFiles(files, options.out, {});
+  if (written && static_cast<std::size_t>(written->size()) < files.size()) {
+    const std::size_t missing = files.size() - static_cast<std::size_t>(written->size());
+    std::fprintf(stderr,
+                 "straightedge: %zu three-dimensional picture%s not drawn; they need OpenGL 3.2 (EGL) and the module "
+                 "lib/straightedge/straightedge_gl.so\n",
+                 missing, missing == 1 ? " is" : "s are");
+  }
   return written ? Result<void>{} : Result<void>(std::unexpected(written.error()));
 }
 

@@ -3,6 +3,7 @@
 #include "app/gui/plots/plot_view.h"
 
 #include <QFont>
+#include <QImage>
 #include <QPainter>
 #include <QTextCursor>
 #include <QTextDocument>
@@ -17,6 +18,7 @@ namespace {
 constexpr int bodyPixels = 13;
 constexpr int captionPixels = 12;
 constexpr double figureShare = 0.38; ///< height of a figure as a share of the text width: three to a page
+constexpr double sceneShare = 0.52;  ///< of a three-dimensional one
 
 std::shared_ptr<QTextDocument> wrapped(const QString& text, const QFont& font, double width) {
   auto document = std::make_shared<QTextDocument>();
@@ -111,14 +113,21 @@ void addBoxes(QList<ReportBox>& boxes, const ReportParagraph& paragraph, double 
 
 void addBoxes(QList<ReportBox>& boxes, const ReportFigure& figure, double width) {
   const ReportBox caption = textBox(figure.caption, reportFont(captionPixels), reportQuietInk, width);
-  const QSizeF plot(width, width * figureShare);
+  const bool scene = !figure.png.isEmpty();
+  const QSizeF plot(width, width * (scene ? sceneShare : figureShare));
   constexpr double between = 4.0;
   ReportBox box;
   box.height = plot.height() + between + caption.height;
   box.spaceBefore = 16.0;
-  box.draw = [caption, plot, spec = figure.spec](QPainter& painter, QPointF at) {
+  box.draw = [caption, plot, spec = figure.spec, png = figure.png](QPainter& painter, QPointF at) {
     painter.save();
-    paintPlot(painter, QRectF(at, plot), spec, PlotTheme::Light);
+    if (png.isEmpty()) {
+      paintPlot(painter, QRectF(at, plot), spec, PlotTheme::Light);
+    } else {
+      const QImage image = QImage::fromData(png, "PNG");
+      const QSizeF drawn = QSizeF(image.size()).scaled(plot, Qt::KeepAspectRatio);
+      painter.drawImage(QRectF(at + QPointF(0.5 * (plot.width() - drawn.width()), 0.0), drawn), image);
+    }
     painter.restore();
     caption.draw(painter, at + QPointF(0.0, plot.height() + between));
   };

@@ -5,6 +5,7 @@
 #include "app/gui/figures/angle_figures.h"
 #include "app/gui/figures/field_figures.h"
 
+#include <QByteArray>
 #include <QList>
 #include <QString>
 #include <QStringList>
@@ -13,6 +14,8 @@
 #include <variant>
 
 namespace straightedge::gui {
+
+class ScenePictures;
 
 struct ReportHeading {
   QString text;
@@ -33,8 +36,9 @@ struct ReportTable {
 };
 
 struct ReportFigure {
-  QString caption; ///< "Figure 3. …"
-  PlotSpec spec;   ///< without title and note: the caption says both
+  QString caption;     ///< "Figure 3. …"
+  PlotSpec spec;       ///< without title and note: the caption says both
+  QByteArray png = {}; ///< instead of `spec`: a three-dimensional picture
 };
 
 using ReportBlock = std::variant<ReportHeading, ReportParagraph, ReportTable, ReportFigure>;
@@ -49,7 +53,8 @@ struct ReportContent {
 
 /// Everything there is to say about one angle calibration.
 ReportContent angleReport(const std::shared_ptr<const AngleResults>& results);
-/// Everything there is to say about one field calibration.
-ReportContent fieldReport(const std::shared_ptr<const FieldResults>& results);
+/// Everything there is to say about one field calibration. Without `pictures` the three-dimensional ones are left out;
+/// where they cannot be drawn the report says so.
+ReportContent fieldReport(const std::shared_ptr<const FieldResults>& results, ScenePictures* pictures = nullptr);
 
 } // namespace straightedge::gui

@@ -71,10 +71,12 @@ QString html(const ReportTable& table) {
 }
 
 QString html(const ReportFigure& figure) {
-  return QStringLiteral("<figure><img alt=\"") + escaped(figure.caption) +
-         QStringLiteral("\" src=\"data:image/svg+xml;base64,") +
-         QString::fromLatin1(plotAsSvg(figure.spec).toBase64()) + QStringLiteral("\"><figcaption>") +
-         escaped(figure.caption) + QStringLiteral("</figcaption></figure>\n");
+  const QString source =
+      figure.png.isEmpty() ? QStringLiteral("svg+xml;base64,") + QString::fromLatin1(plotAsSvg(figure.spec).toBase64())
+                           : QStringLiteral("png;base64,") + QString::fromLatin1(figure.png.toBase64());
+  return QStringLiteral("<figure><img alt=\"") + escaped(figure.caption) + QStringLiteral("\" src=\"data:image/") +
+         source + QStringLiteral("\"><figcaption>") + escaped(figure.caption) +
+         QStringLiteral("</figcaption></figure>\n");
 }
 
 } // namespace

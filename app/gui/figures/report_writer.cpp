@@ -1,6 +1,7 @@
 #include "app/gui/figures/report_writer.h"
 
 #include "app/gui/figures/figure_parts.h"
+#include "app/gui/figures/scene_pictures.h"
 
 #include <algorithm>
 #include <utility>
@@ -28,13 +29,30 @@ void ReportWriter::figures(const QList<NamedFigure>& all, FigureTopic topic) {
     if (figure.topic != topic) {
       continue;
     }
-    ReportFigure block{QStringLiteral("Figure %1. %2").arg(++m_figures).arg(figure.caption), figure.make()};
+    if (figure.isScene()) {
+      scene(figure);
+      continue;
+    }
+    ReportFigure block{QStringLiteral("Figure %1. %2").arg(++m_figures).arg(figure.caption), figure.make(), {}};
     if (!block.spec.note.isEmpty()) {
       block.caption += QLatin1Char(' ') + block.spec.note + QLatin1Char('.');
     }
     block.spec.title.clear();
     block.spec.note.clear();
     m_content.blocks.append(std::move(block));
+  }
+}
+
+void ReportWriter::scene(const NamedFigure& figure) {
+  if (m_pictures == nullptr) {
+    return;
+  }
+  if (const QByteArray png = m_pictures->png(figure); !png.isEmpty()) {
+    m_content.blocks.append(
+        ReportFigure{QStringLiteral("Figure %1. %2").arg(++m_figures).arg(figure.caption), PlotSpec{}, png});
+  } else if (!std::exchange(m_missingSaid, true)) {
+    paragraph(QStringLiteral("The three-dimensional pictures are missing from this report. ") + m_pictures->problem(),
+              ReportParagraph::Tone::Warning);
   }
 }
 

@@ -7,7 +7,9 @@ namespace straightedge::gui {
 
 class ReportWriter {
 public:
-  explicit ReportWriter(ReportContent& content) : m_content(content) {}
+  /// Without `pictures` three-dimensional figures are left out.
+  explicit ReportWriter(ReportContent& content, ScenePictures* pictures = nullptr)
+      : m_content(content), m_pictures(pictures) {}
 
   void heading(const QString& text);
   void paragraph(const QString& text, ReportParagraph::Tone tone = ReportParagraph::Tone::Plain);
@@ -18,7 +20,11 @@ public:
   void section(const QString& text, const QList<NamedFigure>& all, FigureTopic topic);
 
 private:
+  void scene(const NamedFigure& figure);
+
   ReportContent& m_content;
+  ScenePictures* m_pictures;
+  bool m_missingSaid = false; ///< that three-dimensional figures are missing
   int m_figures = 0;
   int m_tables = 0;
 };

@@ -118,7 +118,7 @@ EglContext::~EglContext() {
   Impl& egl = *m_impl;
   if (egl.context != EGL_NO_CONTEXT) {
     if (isCurrent()) {
-      eglMakeCurrent(egl.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+      release();
     }
     eglDestroyContext(egl.display, egl.context);
   }
@@ -130,6 +130,11 @@ EglContext::~EglContext() {
 void EglContext::makeCurrent() {
   eglBindAPI(EGL_OPENGL_API);
   eglMakeCurrent(m_impl->display, m_impl->surface, m_impl->surface, m_impl->context);
+}
+
+void EglContext::release() {
+  eglBindAPI(EGL_OPENGL_API);
+  eglMakeCurrent(m_impl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
 }
 
 bool EglContext::isCurrent() const { return eglGetCurrentContext() == m_impl->context; }

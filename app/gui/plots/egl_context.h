@@ -9,7 +9,7 @@ class vtkGenericOpenGLRenderWindow;
 
 namespace straightedge::gui {
 
-/// Belongs to the thread that made it. Outlives the windows it makes.
+/// Current in one thread at a time: in the one that made it until it is released. Outlives the windows it makes.
 class EglContext {
 public:
   /// Nothing where there is no EGL with desktop OpenGL 3.2.
@@ -19,6 +19,7 @@ public:
   EglContext& operator=(const EglContext&) = delete;
 
   void makeCurrent();
+  void release(); ///< current nowhere: another thread may take it
   bool isCurrent() const;
   /// A render window that draws off screen in this context.
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> makeWindow();

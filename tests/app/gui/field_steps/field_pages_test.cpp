@@ -1,4 +1,5 @@
 #include "app/gui/field_steps/field_step_pages.h"
+#include "app/gui/plots/scene_view.h"
 #include "app/gui/steps/result_table.h"
 #include "tests/app/gui/field_steps/field_document_fixture.h"
 
@@ -8,6 +9,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSignalSpy>
+#include <QTabWidget>
 #include <QTreeWidget>
 
 #include <memory>
@@ -24,6 +26,10 @@ private slots:
   void reviewFindsThePlateauOfAPoint();
   void fitSwitchesABlock();
   void fitKeepsItsFigure();
+  void fitShowsFiguresInSpace();
+  void everyBlockHasItsHelp();
+  void verifyShowsSurfaces();
+  void reviewShowsOrientations();
   void verifyShowsTheVerdict();
   void compareIsMadeWhileShown();
 
@@ -118,6 +124,80 @@ void FieldPagesTest::fitKeepsItsFigure() {
   QCOMPARE(open.document.choices().order, 3);
   QCOMPARE(box.currentText(), QStringLiteral("Offset"));
   QCOMPARE(plot.spec().title, title);
+}
+
+void FieldPagesTest::fitShowsFiguresInSpace() {
+  OpenFieldDocument open;
+  QVERIFY(open.load());
+  const auto page = shown(&makeFieldFitStep, open);
+  auto& box = named<QComboBox>(*page, "fitFigure");
+  QVERIFY(page->findChild<SceneView*>("fitScene") == nullptr); // nothing in space was wanted yet
+  box.setCurrentIndex(box.findText(QStringLiteral("Axis directions")));
+  auto& scene = named<SceneView>(*page, "fitScene");
+  QSignalSpy drawn(&scene, &SceneView::pictureShown);
+  QVERIFY(drawn.wait(60000));
+  QVERIFY2(scene.isStarted(), qPrintable(scene.problem()));
+  QVERIFY(scene.isVisible() && !named<PlotView>(*page, "fitPlot").isVisible());
+  QCOMPARE(std::get<DirectionsSpec>(scene.spec()).directions.size(), 3);
+  QVERIFY(scene.accessibleDescription().contains("tilted by"));
+  box.setCurrentIndex(box.findText(QStringLiteral("Orientations")));
+  QCOMPARE(std::get<SphereSpec>(scene.spec()).marks.size(), 6);
+  box.setCurrentIndex(box.findText(QStringLiteral("Offset")));
+  QVERIFY(!scene.isVisible() && named<PlotView>(*page, "fitPlot").isVisible());
+}
+
+void FieldPagesTest::everyBlockHasItsHelp() {
+  OpenFieldDocument open;
+  QVERIFY(open.load());
+  const auto page = shown(&makeFieldFitStep, open);
+  QSignalSpy wanted(page.get(), &StepPage::helpRequested);
+  named<QAbstractButton>(*page, "blockHelp6").click();
+  QCOMPARE(wanted.takeFirst().first().toString(), QStringLiteral("field-axis-matrix"));
+  QCOMPARE(page->helpPage(), QStringLiteral("field-fit"));
+  page->activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(page.get()));
+  named<QCheckBox>(*page, "block1").setFocus();
+  QCOMPARE(page->helpPage(), QStringLiteral("field-probe-temperature")); // what F1 opens
+}
+
+void FieldPagesTest::verifyShowsSurfaces() {
+  OpenFieldDocument open;
+  QVERIFY(open.load());
+  const auto page = shown(&makeFieldVerifyStep, open);
+  auto& box = named<QComboBox>(*page, "verifyFigure");
+  box.setCurrentIndex(box.findText(QStringLiteral("Surface before, z")));
+  auto& scene = named<SceneView>(*page, "verifyScene");
+  const SurfaceSpec before = std::get<SurfaceSpec>(scene.spec());
+  QTest::keyClick(&scene, Qt::Key_Right);
+  const SceneCamera turned = scene.camera();
+  box.setCurrentIndex(box.findText(QStringLiteral("Surface after, z")));
+  const SurfaceSpec after = std::get<SurfaceSpec>(scene.spec());
+  QVERIFY(after.title.contains("after correction, axis z"));
+  QVERIFY(after.zRange && after.zRange == before.zRange);
+  QVERIFY(scene.camera() == turned); // looked at from the same place
+  QVERIFY(box.findText(QStringLiteral("Surface after enlarged, x")) >= 0);
+}
+
+void FieldPagesTest::reviewShowsOrientations() {
+  OpenFieldDocument open;
+  QVERIFY(open.load());
+  const auto page = shown(&makeFieldReviewStep, open);
+  auto& scene = named<SceneView>(*page, "fieldReviewOrientations");
+  QVERIFY(!scene.isVisible() && !scene.isStarted()); // costs nothing until it is looked at
+  named<QTabWidget>(*page, "fieldReviewTabs").setCurrentIndex(1);
+  QSignalSpy drawn(&scene, &SceneView::pictureShown);
+  QVERIFY(drawn.wait(60000));
+  QVERIFY2(scene.isStarted(), qPrintable(scene.problem()));
+  QCOMPARE(std::get<SphereSpec>(scene.spec()).note, QStringLiteral("6 of 6 directions were measured"));
+  const auto& rows = open.document.campaign().rows;
+  std::vector<std::size_t> plusX;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].orientation == field::Orientation::PlusX) {
+      plusX.push_back(i);
+    }
+  }
+  open.document.setRowsEnabled(plusX, false, {});
+  QCOMPARE(std::get<SphereSpec>(scene.spec()).note, QStringLiteral("5 of 6 directions were measured"));
 }
 
 void FieldPagesTest::verifyShowsTheVerdict() {

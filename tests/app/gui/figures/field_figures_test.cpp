@@ -7,6 +7,7 @@
 #include "app/gui/figures/field_nonlinearity_figures.h"
 #include "app/gui/figures/field_render.h"
 #include "app/gui/figures/field_report_tables.h"
+#include "app/gui/figures/field_scene_figures.h"
 #include "app/gui/figures/field_sensitivity_figures.h"
 #include "app/gui/figures/field_surface_figures.h"
 #include "app/gui/figures/field_temperature_figures.h"
@@ -15,6 +16,7 @@
 #include "app/gui/figures/render_command.h"
 #include "app/gui/figures/report_html.h"
 #include "app/gui/figures/report_pdf.h"
+#include "app/gui/figures/scene_pictures.h"
 #include "core/export/field_calibration_json.h"
 #include "tests/app/gui/figures/field_example.h"
 
@@ -105,6 +107,11 @@ private slots:
   void blocksTakeTheErrorAway();
   void verificationHasTheStatedPeaks();
   void surfaceHoldsTheMeans();
+  void surfacesCanBeCompared();
+  void probeFiguresTakeTheLagAway();
+  void axisDirectionsStateTheirAngles();
+  void orientationsAreThoseThatCount();
+  void reportShowsPicturesInSpace();
   void tiltsAreThoseOfTheMatrix();
   void storagePointsStandForChoices();
   void campaignPointsStandForRows();
@@ -119,13 +126,18 @@ private slots:
 
 void FieldFiguresTest::everyFigureIsWhole() {
   const QList<NamedFigure> figures = fieldFigures(fieldExample());
-  QCOMPARE(figures.size(), 39);
+  QCOMPARE(figures.size(), 39 + 2 + 3 * 3); // in space: directions, orientations, three surfaces of each axis
   QStringList stems;
   for (const NamedFigure& figure : figures) {
-    const PlotSpec spec = figure.make();
     const QByteArray context = figure.stem.toUtf8();
     QVERIFY2(!stems.contains(figure.stem), context.constData());
     stems << figure.stem;
+    if (figure.isScene()) {
+      const SceneSpec scene = figure.scene();
+      QVERIFY2(!isEmptyScene(scene) && !sceneTitle(scene).isEmpty() && !figure.caption.isEmpty(), context.constData());
+      continue;
+    }
+    const PlotSpec spec = figure.make();
     QVERIFY2(!spec.title.isEmpty() && !spec.note.isEmpty() && !figure.caption.isEmpty(), context.constData());
     QVERIFY2(!spec.x.title.isEmpty() && !spec.y.title.isEmpty(), context.constData());
     QVERIFY2(!spec.series.isEmpty(), context.constData());
@@ -141,7 +153,8 @@ void FieldFiguresTest::everyFigureIsWhole() {
 void FieldFiguresTest::withoutTheRunOnlyWhatTheFileHolds() {
   FieldResults results;
   results.calibration = fieldExample()->calibration;
-  QCOMPARE(stemsOf(results), QStringList({"nonlinearity-orders", "axis-tilts", "verification-blocks", "uncertainty"}));
+  QCOMPARE(stemsOf(results),
+           QStringList({"nonlinearity-orders", "axis-tilts", "axis-directions", "verification-blocks", "uncertainty"}));
 }
 
 void FieldFiguresTest::residualsAreThoseOfTheOrders() {
@@ -256,6 +269,127 @@ void FieldFiguresTest::surfaceHoldsTheMeans() {
   QVERIFY(residualSurface(one, 2.0, 24.0, CorrectionState::After).isEmpty());
 }
 
+void FieldFiguresTest::surfacesCanBeCompared() {
+  const field::AxisErrors& errors = fieldExample()->run->verification.errors[0];
+  const SurfaceSpec before = residualSurface(errors, 2.0, 24.0, CorrectionState::Before);
+  const SurfaceSpec after = residualSurface(errors, 2.0, 24.0, CorrectionState::After);
+  const SurfaceSpec enlarged = residualSurface(errors, 2.0, 24.0, CorrectionState::After, SurfaceScale::Own);
+  QCOMPARE(before.colors, SurfaceColors::DivergingFromZero);
+  QVERIFY(before.zRange && after.zRange == before.zRange);
+  QCOMPARE(before.zRange->first, -before.zRange->second); // blue and red weigh the same
+  QCOMPARE(before.zRange->second, std::max(largestOf(before.z), largestOf(after.z)));
+  QCOMPARE(enlarged.zRange->second, largestOf(after.z));
+  QCOMPARE(enlarged.z, after.z);
+  QCOMPARE(before.zTitle, QString("Error (% of full scale)"));
+}
+
+void FieldFiguresTest::probeFiguresTakeTheLagAway() {
+  // No times: the loop is all there is, about the line, within the range of the stated uncertainty.
+  const field::ProbeTemperatureReport& untimed = *fieldExample()->run->reports.probeTemperature;
+  QCOMPARE(probeLoopFigure(untimed, 24.0).series.size(), 3);
+  const PlotSpec loop = probeResidualFigure(untimed, 24.0);
+  QVERIFY(loop.title.contains("Hysteresis") && loop.y.title.startsWith("Chamber − line"));
+  QVERIFY(loop.note.contains("2.7 °C wide") && loop.note.contains("1.3 °C"));
+  // With times the line belongs to what the probe felt, and that is what is drawn about it.
+  const auto campaign = field::readCampaignCsv(STRAIGHTEDGE_TEST_DATA "/../../resources/examples/"
+                                                                      "hall_probe_campaign.csv");
+  QVERIFY(campaign);
+  const auto results = gui::testing::makeFieldResults(*campaign);
+  const field::ProbeTemperatureReport& timed = *results->run->reports.probeTemperature;
+  QVERIFY(timed.lagS);
+  const PlotSpec swept = probeLoopFigure(timed, 24.0);
+  QCOMPARE(swept.series.size(), 4);
+  QVERIFY(swept.series[2].name.contains("felt"));
+  const PlotSeries& line = swept.series[3];
+  const double slope = (line.y[1] - line.y[0]) / (line.x[1] - line.x[0]);
+  double offLine = 0.0;
+  for (qsizetype i = 0; i < swept.series[2].x.size(); ++i) {
+    const double x = swept.series[2].x[i];
+    offLine = std::max(offLine, std::abs(swept.series[2].y[i] - line.y[0] - slope * (x - line.x[0])));
+  }
+  QVERIFY2(offLine < 4.0 * timed.standardUncertaintyC, qPrintable(QString::number(offLine)));
+  const PlotSpec left = probeResidualFigure(timed, 24.0);
+  QVERIFY(left.title.contains("lag taken away") && left.y.title.startsWith("Chamber behind the lag − line"));
+  double widest = 0.0;
+  for (const PlotSeries& branch : {left.series[0], left.series[1]}) {
+    for (const double y : branch.y) {
+      widest = std::isfinite(y) ? std::max(widest, std::abs(y)) : widest;
+    }
+  }
+  QVERIFY(std::abs(widest - offLine) < 1e-9);
+  QVERIFY(widest < 0.2 * *timed.hysteresisC); // the recorded loop is another matter
+  QVERIFY(left.note.contains("lag") && left.note.contains("taken away"));
+}
+
+void FieldFiguresTest::axisDirectionsStateTheirAngles() {
+  Eigen::Matrix3d matrix;
+  matrix << 0.99998, 0.012, -0.009, -0.015, 0.99998, 0.011, 0.008, -0.013, 0.99998;
+  const DirectionsSpec spec = axisDirections(matrix);
+  // atan(√(0.012² + 0.009²)/0.99998) = 0.85944°, atan(√(0.015² + 0.011²)/0.99998) = 1.06569°, 0.87454°
+  QCOMPARE(spec.directions[0].label, QString("x, tilted by 0.86°"));
+  QCOMPARE(spec.directions[1].label, QString("y, tilted by 1.07°"));
+  QCOMPARE(spec.directions[2].label, QString("z, tilted by 0.87°"));
+  QCOMPARE(spec.exaggeration, 20.0); // 21°: 25°/1.07° is 23, and 20 is the next below of 1, 2, 5
+  // acos of the rows' products: x·y = −0.003099, x·z = −0.001156, y·z = −0.002120
+  QVERIFY2(spec.note.contains("20 times as large") && spec.note.contains("x and y 90.18°") &&
+               spec.note.contains("x and z 90.07°") && spec.note.contains("y and z 90.12°"),
+           qPrintable(spec.note));
+  QCOMPARE(spec.directions[1].measured[0], -0.015);
+  QVERIFY(axisDirections(Eigen::Matrix3d::Identity()).note.startsWith("Tilts are drawn as they are"));
+  const DirectionsSpec ofExample = axisDirections(*fieldExample()->calibration.chain.axisMatrix);
+  QCOMPARE(ofExample.directions[1].label, spec.directions[1].label); // the reference gives this matrix
+}
+
+void FieldFiguresTest::orientationsAreThoseThatCount() {
+  field::Campaign campaign = *fieldExample()->campaign;
+  std::vector<bool> enabled(campaign.rows.size(), true);
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < campaign.rows.size(); ++i) {
+    field::CampaignRow& row = campaign.rows[i];
+    if (row.step != field::CampaignStep::Orientation) {
+      continue;
+    }
+    if (row.orientation == field::Orientation::PlusY && off < 3) {
+      enabled[i] = false;
+      ++off;
+    } else if (row.orientation == field::Orientation::MinusZ) {
+      row.locked = false;
+    }
+  }
+  const auto covered = orientationsCovered(campaign, enabled);
+  QCOMPARE(covered[0].rows, std::size_t(90));
+  QCOMPARE(covered[2].rows, std::size_t(87));
+  QCOMPARE(covered[5].rows, std::size_t(0));
+  const SphereSpec spec = orientationSphere(covered);
+  QCOMPARE(spec.note, QString("5 of 6 directions were measured"));
+  QCOMPARE(spec.marks[1].name, QString("−x"));
+  QCOMPARE(spec.marks[1].direction[0], -1.0);
+  QCOMPARE(spec.marks[1].detail, QString("90 rows, 0.5 to 1.5 T"));
+  QVERIFY(!spec.marks[5].covered && spec.marks[5].detail == "not measured");
+  QVERIFY(orientationSphere(orientationsCovered({})).isEmpty());
+}
+
+void FieldFiguresTest::reportShowsPicturesInSpace() {
+  auto results = std::make_shared<FieldResults>();
+  results->calibration = fieldExample()->calibration; // one figure in space: the directions
+  ScenePictures pictures;
+  const ReportContent content = fieldReport(results, &pictures);
+  QVERIFY2(pictures.problem().isEmpty(), qPrintable(pictures.problem()));
+  QImage drawn;
+  for (const ReportBlock& block : content.blocks) {
+    const auto* figure = std::get_if<ReportFigure>(&block);
+    if (figure != nullptr && !figure->png.isEmpty()) {
+      drawn = QImage::fromData(figure->png, "PNG");
+      QVERIFY(figure->caption.contains("arrows"));
+    }
+  }
+  QCOMPARE(drawn.size(), QSize(1920, 1080)); // twice as many pixels as the size in the report
+  QVERIFY(reportAsHtml(content).contains("data:image/png;base64,"));
+  QVERIFY(reportAsPdf(content).startsWith("%PDF"));
+  QVERIFY(!reportAsHtml(fieldReport(results)).contains("image/png")); // not asked for, not mentioned
+  QVERIFY(!reportAsHtml(fieldReport(results)).contains("three-dimensional"));
+}
+
 void FieldFiguresTest::tiltsAreThoseOfTheMatrix() {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
   matrix(1, 2) = std::tan(0.01); // y leans towards z
@@ -327,7 +461,8 @@ void FieldFiguresTest::reportIsNumberedAndWhole() {
   const ReportContent content = fieldReport(fieldExample());
   QCOMPARE(content.subtitle, QString("MFC <3> · 0007"));
   const QStringList figures = numbered(content, "Figure");
-  QCOMPARE(figures.size(), fieldFigures(fieldExample()).size()); // every figure once
+  const QList<NamedFigure> all = fieldFigures(fieldExample());
+  QCOMPARE(figures.size(), std::ranges::count_if(all, [](const NamedFigure& each) { return !each.isScene(); }));
   QCOMPARE(figures.last(), QString("Figure %1").arg(figures.size()));
   QVERIFY(numbered(content, "Table").size() >= 9);
   for (const ReportBlock& block : content.blocks) {
@@ -398,6 +533,7 @@ void FieldFiguresTest::renderDrawsWhatTheFileHolds() {
   QVERIFY(writeBytes(file, exporting::fieldCalibrationToJson(fieldExample()->calibration)));
   QCOMPARE(renderCalibration({file, "--out", folder.filePath("out")}), 0);
   QStringList expected{"report.html", "report.pdf"};
+  expected << "plots/axis-directions.png";
   for (const char* stem : {"axis-tilts", "nonlinearity-orders", "uncertainty", "verification-blocks"}) {
     for (const char* suffix : {"png", "svg", "pdf"}) {
       expected << QString("plots/%1.%2").arg(stem, suffix);

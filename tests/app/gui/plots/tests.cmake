@@ -14,7 +14,7 @@ straightedge_add_qt_test(NAME gui_plot_picture
   SOURCES app/gui/plots/figures.cpp app/gui/plots/plot_picture_test.cpp
   LIBRARIES straightedge::plots
   LABELS gui)
-straightedge_add_qt_test(NAME gui_surface_view
-  SOURCES app/gui/plots/surface_view_test.cpp
-  LIBRARIES straightedge::surface
+straightedge_add_qt_test(NAME gui_scene_view
+  SOURCES app/gui/plots/scene_view_test.cpp
+  LIBRARIES straightedge::plots
   LABELS gui)

@@ -2,6 +2,7 @@
 // screenshots FOLDER field those of a field calibration. Not a test; run it with
 // QT_QPA_PLATFORM=offscreen, and once more with QT_SCALE_FACTOR=2 for 200 %.
 #include "app/gui/document/field_document.h"
+#include "app/gui/plots/scene_view.h"
 #include "app/gui/shell/field_workspace.h"
 #include "app/gui/shell/program_start.h"
 #include "app/gui/shell/theme.h"
@@ -53,6 +54,13 @@ public:
       idle.wait(waitMs);
     }
     QTest::qWait(100); // pictures only; nothing is checked
+    for (SceneView* scene : m_window.findChildren<SceneView*>()) {
+      if (scene->isVisible()) {
+        QSignalSpy shown(scene, &SceneView::pictureShown);
+        scene->update();
+        shown.wait(waitMs);
+      }
+    }
   }
 
 private:
@@ -136,8 +144,18 @@ void walkField(MainWindow& window, Album& album) {
   album.settle();
   driver.step(QStringLiteral("Review"));
   album.take(QStringLiteral("review"));
+  auto* views = driver.find<QTabWidget>(QStringLiteral("fieldReviewTabs"));
+  views->setCurrentIndex(1);
+  album.take(QStringLiteral("review-orientations"));
+  views->setCurrentIndex(0);
   driver.step(QStringLiteral("Fit"));
   album.take(QStringLiteral("fit"));
+  auto* figure = driver.find<QComboBox>(QStringLiteral("fitFigure"));
+  for (const char* name :
+       {"Probe temperature", "Probe temperature hysteresis", "Axis tilts", "Axis directions", "Orientations"}) {
+    figure->setCurrentIndex(figure->findText(QString::fromLatin1(name)));
+    album.take(QStringLiteral("fit-figure-") + QString::fromLatin1(name).toLower().replace(' ', '-'));
+  }
   auto* tables = driver.find<QTabWidget>(QStringLiteral("fitTables"));
   for (int i = 1; i < tables->count(); ++i) {
     tables->setCurrentIndex(i);
@@ -156,6 +174,11 @@ void walkField(MainWindow& window, Album& album) {
   album.take(QStringLiteral("compare-table"));
   driver.step(QStringLiteral("Verify"));
   album.take(QStringLiteral("verify"));
+  auto* verified = driver.find<QComboBox>(QStringLiteral("verifyFigure"));
+  for (const char* name : {"Surface before, x", "Surface after, x", "Surface after enlarged, x"}) {
+    verified->setCurrentIndex(verified->findText(QString::fromLatin1(name)));
+    album.take(QStringLiteral("verify-") + QString::fromLatin1(name).toLower().replace(' ', '-').remove(','));
+  }
   driver.step(QStringLiteral("Export"));
   album.take(QStringLiteral("export"));
 }

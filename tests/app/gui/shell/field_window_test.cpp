@@ -42,6 +42,7 @@ private slots:
   void cleanup();
 
   void newFieldCalibrationReachesEveryStep();
+  void openGlIsNotLoadedBeforeItIsWanted();
   void exampleOpensInReview();
   void droppedCampaignOpensInReview();
   void droppedCampaignGoesIntoTheOpenFieldCalibration();
@@ -145,6 +146,24 @@ void FieldWindowTest::newFieldCalibrationReachesEveryStep() {
   QVERIFY(m_window->closeCalibration());
   QCOMPARE(m_script.closeAsked, 0); // nothing was in it
   QVERIFY(ScratchFolder::recoverable().isEmpty());
+}
+
+void FieldWindowTest::openGlIsNotLoadedBeforeItIsWanted() {
+  // The first test that could show a picture in space: what is loaded stays loaded.
+  const auto loaded = [](const char* library) {
+    QFile maps(QStringLiteral("/proc/self/maps"));
+    return maps.open(QIODevice::ReadOnly) && maps.readAll().contains(library);
+  };
+  const QList<const char*> heavy{"libvtkRenderingOpenGL2", "libvtkRenderingUI", "libGLEW", "swrast_dri", "libLLVM"};
+  m_window->openExample(campaignExample);
+  QVERIFY(m_window->currentStep() >= 0);
+  for (int step = 0; step < static_cast<int>(fieldStepCatalogue().size()); ++step) {
+    m_window->goToStep(step);
+    QTest::qWait(0);
+  }
+  for (const char* library : heavy) {
+    QVERIFY2(!loaded(library), library);
+  }
 }
 
 void FieldWindowTest::exampleOpensInReview() {
