@@ -12,7 +12,7 @@ inline double quantised(double value, double step) {
     return value;
   }
   const double perUnit = step < 1.0 ? std::round(1.0 / step) : 1.0 / step;
-  return std::round(value * perUnit) / perUnit;
+  return std::round(value * perUnit) / perUnit + 0.0; // an instrument shows no −0, and a session keeps none
 }
 
 } // namespace straightedge::devices

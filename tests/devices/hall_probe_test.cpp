@@ -2,6 +2,7 @@
 // paper's.
 #include "core/field/chain.h"
 #include "devices/simulated/hall_campaign.h"
+#include "devices/simulated/quantised.h"
 
 #include <Eigen/QR>
 #include <gtest/gtest.h>
@@ -116,6 +117,12 @@ double maxErrorPercent(const field::Campaign& campaign, field::Axis axis, int or
   }
   const Eigen::VectorXd fitted = powers * powers.householderQr().solve(y);
   return 50.0 * (fitted - y).cwiseAbs().maxCoeff();
+}
+
+TEST(QuantisedTest, HasNoNegativeZero) {
+  EXPECT_FALSE(std::signbit(quantised(-4e-8, 1e-7)));
+  EXPECT_EQ(quantised(-6e-8, 1e-7), -1e-7);
+  EXPECT_EQ(quantised(109.24391, 1e-4), 109.2439);
 }
 
 TEST(HallCampaignTest, LooksLikeThePapers) {
