@@ -121,8 +121,8 @@ Result<void> write(const std::vector<FileToWrite>& files, const RenderOptions& o
   if (written && static_cast<std::size_t>(written->size()) < files.size()) {
     const std::size_t missing = files.size() - static_cast<std::size_t>(written->size());
     std::fprintf(stderr,
-                 "straightedge: %zu three-dimensional picture%s not drawn; they need OpenGL 3.2 (EGL) and the module "
-                 "lib/straightedge/straightedge_gl.so\n",
+                 "straightedge: %zu three-dimensional picture%s not drawn: OpenGL 3.2 (EGL) and the module "
+                 "lib/straightedge/straightedge_gl.so are needed\n",
                  missing, missing == 1 ? " is" : "s are");
   }
   return written ? Result<void>{} : Result<void>(std::unexpected(written.error()));
