@@ -203,6 +203,26 @@ TEST_P(UsbSerial, ABoardThatIsFasterThanTheProgramKeepsItsBytes) {
   EXPECT_LT(next, 1000 + 500) << "no more is taken than is kept here";
 }
 
+TEST_P(UsbSerial, WhileAWriteWaitsNoMoreIsTakenThanIsKept) {
+  plugIn();
+  open();
+  int next = 0;
+  m_device->generate([&next] { return std::to_string(next++) + "\n"; });
+  m_device->holdWrites(true);
+  const auto printed = [&] {
+    const auto held = m_device->lock();
+    return next;
+  };
+  int before = -1;
+  for (int i = 0; i < 500 && before != printed(); ++i) { // until it takes no more
+    before = printed();
+    expectFault(m_line->write("stuck\n", tiny), TransportFault::TimedOut);
+  }
+  EXPECT_EQ(before, printed());
+  EXPECT_LT(before, 500);
+  EXPECT_EQ(m_line->readUntil("\n", generous).value(), "0\n");
+}
+
 TEST_P(UsbSerial, ATimeOutKeepsTheLineThatHasBegun) {
   plugIn();
   open();
