@@ -128,6 +128,8 @@ Result<RoleReading> OpenedBench::readRole(InstrumentRole role) {
     return readValue(role, &BenchSeat::resistanceMeter, &ResistanceMeter::readOhm);
   case InstrumentRole::Temperature:
     return readValue(role, &BenchSeat::thermometer, &Thermometer::readC);
+  case InstrumentRole::ChamberTemperature:
+    return readValue(role, &BenchSeat::chamberThermometer, &Thermometer::readC);
   case InstrumentRole::FieldProbe:
     if (FieldProbe* probe = filled(&BenchSeat::fieldProbe)) {
       return shownReading(probe->readT());

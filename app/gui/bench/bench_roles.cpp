@@ -28,6 +28,7 @@ RoleUnit unitOf(Role role) {
   case Role::Resistance:
     return {4, QStringLiteral(" Ω")};
   case Role::Temperature:
+  case Role::ChamberTemperature:
     return {2, QStringLiteral(" °C")};
   }
   return {3, {}};
@@ -45,7 +46,8 @@ std::vector<RoleSlot> fieldRoleSlots() {
   return {{Role::FieldProbe, roleWords("Teslameter under calibration"), true},
           {Role::FieldReference, roleWords("Reference field"), false},
           {Role::Resistance, roleWords("PT100 of the probe"), false},
-          {Role::Temperature, roleWords("Temperature of the electronics"), false}};
+          {Role::Temperature, roleWords("Temperature of the electronics"), false},
+          {Role::ChamberTemperature, roleWords("Temperature of the chamber"), false}};
 }
 
 QString roleReadingText(Role role, const devices::RoleReading& reading) {
