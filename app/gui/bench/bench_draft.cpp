@@ -23,7 +23,10 @@ bool BenchDraft::isSame(const devices::BenchInstrument& instrument, const device
   return device.port && device.port->path == instrument.port;
 }
 
-bool BenchDraft::canFill(const std::string& id, devices::InstrumentRole role) const {
+bool BenchDraft::canFill(const std::string& id, devices::InstrumentRole wanted) const {
+  // Which temperature it is, is the bench's to say.
+  const devices::InstrumentRole role =
+      wanted == devices::InstrumentRole::ChamberTemperature ? devices::InstrumentRole::Temperature : wanted;
   if (const devices::KnownInstrument* known = devices::knownInstrument(id)) {
     return contains(known->roles, role);
   }

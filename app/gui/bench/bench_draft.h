@@ -45,7 +45,7 @@ public:
 
 private:
   devices::BenchInstrument* find(devices::InstrumentRole role);
-  bool canFill(const std::string& id, devices::InstrumentRole role) const;
+  bool canFill(const std::string& id, devices::InstrumentRole wanted) const;
   std::vector<std::string> idsOf(const devices::ListedDevice& device, devices::InstrumentRole role) const;
 
   std::vector<RoleSlot> m_roles;

@@ -6,6 +6,7 @@
 #include "app/gui/bench/device_words.h"
 #include "app/gui/bench/instrument_settings_dialog.h"
 #include "app/gui/bench/role_row.h"
+#include "app/gui/bench/saved_bench_row.h"
 #include "app/gui/bench/tinted_label.h"
 
 #include <QAction>
@@ -14,10 +15,7 @@
 #include <QDoubleSpinBox>
 #include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QInputDialog>
-#include <QLineEdit>
 #include <QMenu>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QShortcut>
 #include <QSignalBlocker>
@@ -45,7 +43,7 @@ BenchPanel::BenchPanel(BenchPresenter& presenter, QWidget* parent) : QWidget(par
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
-  layout->addWidget(makeBenchRow());
+  layout->addWidget(new SavedBenchRow(presenter, this));
   layout->addWidget(makeDevices());
   layout->addWidget(makeRoles());
   layout->addWidget(makePairing());
@@ -69,38 +67,9 @@ BenchPanel::BenchPanel(BenchPresenter& presenter, QWidget* parent) : QWidget(par
   connectPresenter();
   showDevices();
   showRoles();
-  showSaved();
+  showPairing();
   showState();
   showProblem();
-}
-
-QWidget* BenchPanel::makeBenchRow() {
-  auto* row = new QWidget(this);
-  auto* rows = new QVBoxLayout(row);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(4);
-  auto* layout = new QHBoxLayout;
-  auto* buttons = new QHBoxLayout;
-  rows->addLayout(layout);
-  rows->addLayout(buttons);
-  m_saved = new QComboBox(row);
-  m_saved->setObjectName(QStringLiteral("savedBenches"));
-  m_saved->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  m_saved->setMinimumContentsLength(10);
-  m_saved->setToolTip(tr("Benches remember which instrument fills which role, and how it is set"));
-  m_save = new QPushButton(tr("Save"), row);
-  m_save->setObjectName(QStringLiteral("saveBench"));
-  m_saveAs = new QPushButton(tr("Save as…"), row);
-  m_saveAs->setObjectName(QStringLiteral("saveBenchAs"));
-  m_delete = new QPushButton(tr("Delete…"), row);
-  m_delete->setObjectName(QStringLiteral("deleteBench"));
-  layout->addWidget(heading(tr("&Bench"), m_saved, row));
-  layout->addWidget(m_saved, 1);
-  buttons->addStretch(1);
-  for (QPushButton* each : {m_save, m_saveAs, m_delete}) {
-    buttons->addWidget(each);
-  }
-  return row;
 }
 
 QWidget* BenchPanel::makeDevices() {
@@ -198,22 +167,12 @@ void BenchPanel::connectPresenter() {
   connect(&m_presenter, &BenchPresenter::devicesChanged, this, &BenchPanel::showDevices);
   connect(&m_presenter, &BenchPresenter::rolesChanged, this, &BenchPanel::showRoles);
   connect(&m_presenter, &BenchPresenter::rolesRead, this, &BenchPanel::showReadings);
-  connect(&m_presenter, &BenchPresenter::savedChanged, this, &BenchPanel::showSaved);
+  connect(&m_presenter, &BenchPresenter::savedChanged, this, &BenchPanel::showPairing);
   connect(&m_presenter, &BenchPresenter::stateChanged, this, &BenchPanel::showState);
   connect(&m_presenter, &BenchPresenter::problemChanged, this, &BenchPanel::showProblem);
   connect(m_devices, &QListWidget::currentRowChanged, this, &BenchPanel::showDevice);
   connect(m_devices, &DeviceList::menuWanted, this, &BenchPanel::openMenu);
   connect(m_copyCommand, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(m_command); });
-  connect(m_saved, &QComboBox::activated, this, [this](int index) {
-    if (index == 0) {
-      m_presenter.startAnew();
-    } else {
-      m_presenter.load(m_saved->itemData(index).toString());
-    }
-  });
-  connect(m_save, &QPushButton::clicked, this, [this] { m_presenter.save(m_presenter.benchName()); });
-  connect(m_saveAs, &QPushButton::clicked, this, &BenchPanel::saveAs);
-  connect(m_delete, &QPushButton::clicked, this, &BenchPanel::deleteBench);
   connect(m_connect, &QPushButton::clicked, this, [this] {
     switch (m_presenter.opener().state()) {
     case BenchOpener::State::Closed:
@@ -284,15 +243,7 @@ void BenchPanel::showReadings() {
   }
 }
 
-void BenchPanel::showSaved() {
-  const QSignalBlocker quiet(m_saved);
-  const QString name = m_presenter.benchName();
-  m_saved->clear();
-  m_saved->addItem(tr("New bench"));
-  for (const QString& saved : m_presenter.savedNames()) {
-    m_saved->addItem(saved == name && m_presenter.isChanged() ? tr("%1 (changed)").arg(saved) : saved, saved);
-  }
-  m_saved->setCurrentIndex(std::max(0, name.isEmpty() ? 0 : m_saved->findData(name)));
+void BenchPanel::showPairing() {
   const devices::PairingRule& rule = m_presenter.draft().bench().pairing;
   const QSignalBlocker quietRule(m_pairingRule);
   const QSignalBlocker quietAge(m_pairingAge);
@@ -303,11 +254,6 @@ void BenchPanel::showSaved() {
 
 void BenchPanel::showState() {
   const bool edits = m_presenter.mayEdit();
-  const bool named = !m_presenter.benchName().isEmpty();
-  m_saved->setEnabled(edits);
-  m_save->setEnabled(edits && named && m_presenter.isChanged());
-  m_saveAs->setEnabled(edits && !m_presenter.draft().bench().instruments.empty());
-  m_delete->setEnabled(edits && named);
   m_pairing->setEnabled(edits);
   m_pairingAge->setEnabled(m_presenter.draft().bench().pairing.kind == devices::PairingKind::Interpolate);
   const BenchOpener::State state = m_presenter.opener().state();
@@ -360,32 +306,6 @@ void BenchPanel::openSettings(devices::InstrumentRole role) {
   connect(dialog, &QDialog::accepted, this,
           [this, role, dialog] { m_presenter.setInstrument(role, dialog->instrument()); });
   dialog->open();
-}
-
-void BenchPanel::saveAs() {
-  auto* ask = new QInputDialog(this);
-  ask->setObjectName(QStringLiteral("benchNameDialog"));
-  ask->setAttribute(Qt::WA_DeleteOnClose);
-  ask->setWindowTitle(tr("Save the bench"));
-  ask->setLabelText(tr("Name of the bench, as for straightedge-cli capture --bench NAME:"));
-  ask->setTextValue(m_presenter.benchName());
-  connect(ask, &QInputDialog::textValueSelected, this, [this](const QString& name) { m_presenter.save(name); });
-  ask->open();
-}
-
-void BenchPanel::deleteBench() {
-  const QString name = m_presenter.benchName();
-  auto* question = new QMessageBox(QMessageBox::Warning, tr("Delete the bench?"),
-                                   tr("The bench “%1” is deleted. Its instruments and roles stay as they are until you "
-                                      "choose another.")
-                                       .arg(name),
-                                   QMessageBox::Cancel, this);
-  question->setObjectName(QStringLiteral("deleteBenchQuestion"));
-  question->setAttribute(Qt::WA_DeleteOnClose);
-  QPushButton* yes = question->addButton(tr("Delete"), QMessageBox::DestructiveRole);
-  question->setDefaultButton(QMessageBox::Cancel);
-  connect(yes, &QPushButton::clicked, this, [this, name] { m_presenter.deleteSaved(name); });
-  question->open();
 }
 
 } // namespace straightedge::gui

@@ -27,7 +27,6 @@ public:
   BenchConsole& console() { return *m_console; }
 
 private:
-  QWidget* makeBenchRow();
   QWidget* makeDevices();
   QWidget* makeRoles();
   QWidget* makePairing();
@@ -36,20 +35,14 @@ private:
   void showDevice();
   void showRoles();
   void showReadings();
-  void showSaved();
+  void showPairing();
   void showState();
   void showProblem();
   void openMenu(int device, const QPoint& globalPosition);
   void openSettings(devices::InstrumentRole role);
-  void saveAs();
-  void deleteBench();
   int deviceOf(const QString& key) const;
 
   BenchPresenter& m_presenter;
-  QComboBox* m_saved = nullptr;
-  QPushButton* m_save = nullptr;
-  QPushButton* m_saveAs = nullptr;
-  QPushButton* m_delete = nullptr;
   TintedLabel* m_devicesNote = nullptr;
   DeviceList* m_devices = nullptr;
   TintedLabel* m_deviceWhere = nullptr;
