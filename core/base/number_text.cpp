@@ -10,12 +10,12 @@ namespace straightedge {
 namespace {
 
 std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
-  const auto first = text.find_first_not_of(blanks);
+  constexpr std::string_view whiteSpace = " \t\r\n";
+  const auto first = text.find_first_not_of(whiteSpace);
   if (first == std::string_view::npos) {
     return {};
   }
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+  return text.substr(first, text.find_last_not_of(whiteSpace) - first + 1);
 }
 
 std::string_view withoutPlus(std::string_view text) {
