@@ -149,9 +149,7 @@ QWidget* FieldConnectStep::makeSettingRow(QWidget* parent) {
 }
 
 void FieldConnectStep::showConnection() {
-  if (!m_presenter.connected()) {
-    m_form->setSettings(m_presenter.simulatedSettings()); // of the session that was opened, or as it was connected
-  }
+  m_form->setSettings(m_presenter.simulatedSettings()); // of the session that was opened, or as it was connected
   m_column->showConnection({.connected = m_presenter.connected(),
                             .mayChange = m_presenter.mayChange(),
                             .status = m_presenter.statusText(),
