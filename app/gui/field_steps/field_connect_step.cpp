@@ -210,9 +210,7 @@ QWidget* FieldConnectStep::makeSettingRow(QWidget* parent) {
 }
 
 void FieldConnectStep::showConnection() {
-  if (!m_presenter.connected()) {
-    m_form->setSettings(m_presenter.simulatedSettings()); // of the session that was opened, or as it was connected
-  }
+  m_form->setSettings(m_presenter.simulatedSettings()); // of the session that was opened, or as it was connected
   m_column->showConnection({.connected = m_presenter.connected(),
                             .form = m_presenter.simulated() ? m_form : nullptr,
                             .mayChange = m_presenter.mayChange(),

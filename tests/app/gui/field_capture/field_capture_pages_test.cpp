@@ -108,6 +108,11 @@ void FieldCapturePagesTest::connectButtonConnects() {
   shown.click("connectBench");
   QVERIFY(!shown.open.bench.isConnected());
   QVERIFY(!shown.find<QPushButton>("placeProbe").isEnabled());
+  devices::SimulatedFieldSettings elsewhere = fastField(true); // as the start page connects it
+  elsewhere.seed = 9;
+  QVERIFY(shown.open.bench.connectSimulated(elsewhere).has_value());
+  QCOMPARE(shown.find<QSpinBox>("seed").value(), 9);
+  QCOMPARE(shown.find<QComboBox>("placing").currentData().toBool(), true);
 }
 
 void FieldCapturePagesTest::captureRunsFromItsButton() {
