@@ -244,26 +244,26 @@ void FieldCaptureStep::showRights() {
 }
 
 void FieldCaptureStep::showPhase() {
-  using Phase = FieldCapturePresenter::Phase;
-  const Phase phase = m_presenter.phase();
+  using CapturePhase = FieldCapturePresenter::Phase;
+  const CapturePhase phase = m_presenter.phase();
   const bool capturing = m_presenter.canStop();
   m_guide->setTitle(m_presenter.ofVerification() ? tr("Fresh campaign") : tr("Campaign"));
   m_plan->setEnabled(!capturing);
-  m_start->setVisible(!capturing && phase != Phase::NoBench);
+  m_start->setVisible(!capturing && phase != CapturePhase::NoBench);
   m_start->setEnabled(m_presenter.canStart());
   m_start->setText(m_presenter.startReplacesData() ? tr("&Start over…") : tr("&Start"));
-  m_start->setDefault(phase == Phase::Ready && !m_presenter.isComplete());
+  m_start->setDefault(phase == CapturePhase::Ready && !m_presenter.isComplete());
   m_continue->setVisible(m_presenter.canContinueInterrupted());
   m_continue->setDefault(m_presenter.canContinueInterrupted());
-  m_pause->setVisible(capturing && phase != Phase::Unplugged);
+  m_pause->setVisible(capturing && phase != CapturePhase::Unplugged);
   m_pause->setText(m_presenter.canResume() ? tr("&Resume") : tr("&Pause"));
   m_stop->setVisible(capturing);
-  m_connect->setVisible(phase == Phase::NoBench);
+  m_connect->setVisible(phase == CapturePhase::NoBench);
   m_next->setVisible(!m_presenter.nextStep().isEmpty());
   m_next->setText(tr("Go on to %1").arg(m_presenter.nextStep()));
   m_next->setDefault(m_presenter.isComplete());
-  m_confirm->setVisible(phase == Phase::Waiting);
-  if (phase == Phase::Waiting) {
+  m_confirm->setVisible(phase == CapturePhase::Waiting);
+  if (phase == CapturePhase::Waiting) {
     m_confirm->setDefault(true);
     if (m_shown && !m_stages->isAncestorOf(focusWidget())) {
       m_confirm->setFocus(); // Enter or Space goes on; hands are at the bench
