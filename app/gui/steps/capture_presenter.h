@@ -94,7 +94,7 @@ private:
   Phase m_phase = Phase::NoBench;
   QString m_problem;
   QString m_guidance; ///< as last told
-  QString m_note; ///< of the running capture: what a person should know or do
+  QString m_note;     ///< of the running capture: what a person should know or do
 };
 
 } // namespace straightedge::gui
