@@ -93,9 +93,9 @@ void FieldCapturePresenterTest::connectTellsWhatIsConnected() {
                                "Electronics chamber"}));
   presenter.disconnectBench();
   QVERIFY(!presenter.connected());
-  devices::FieldBench without;
-  presenter.connectBench(without, nullptr);
-  QCOMPARE(presenter.problem(), QStringLiteral("the bench has no teslameter; choose an instrument for it"));
+  const auto refused = open.bench.connectBench(devices::FieldBench{}, nullptr);
+  QVERIFY(!refused);
+  QCOMPARE(refused.error().message(), std::string("the bench has no teslameter; choose an instrument for it"));
 }
 
 void FieldCapturePresenterTest::connectShowsReadings() {
