@@ -17,6 +17,7 @@ constexpr Milliseconds saidWithin{1000};
 constexpr Milliseconds answeredWithin{2000};
 constexpr Milliseconds lineAnsweredWithin{500};
 constexpr Milliseconds lineQuietAfter{100};
+constexpr int staleReads = 8;
 
 std::unexpected<Error> profileOrDriverMissing(const std::string& id) {
   return fail(ErrorKind::Input, "there is no instrument '" + id + "'",
@@ -279,6 +280,10 @@ Result<Reading> BenchSeat::ask(Role* (Instrument::*role)(), Result<Reading> (Rol
 }
 
 TransportResult<std::string> BenchSeat::answer(std::string_view question) {
+  // On a line what came before, the end of an earlier reply say, is no answer to this. A board that prints without end
+  // stays ahead of the reader.
+  for (int i = 0; !m_transport->hasMessages() && i < staleReads && m_transport->read(Milliseconds{0}); ++i) {
+  }
   if (auto sent = m_transport->write(question, saidWithin); !sent) {
     return std::unexpected(std::move(sent.error()));
   }

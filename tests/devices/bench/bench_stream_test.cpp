@@ -81,8 +81,9 @@ devices::BenchInstrument instrument(const std::string& id, std::vector<Instrumen
 
 devices::SavedBench oneBoard() {
   return {.name = "desk",
-          .instruments = {instrument("ascii-board", {InstrumentRole::AngleSensor, InstrumentRole::AngleReference},
-                                     "ACM-1", {{"reference_column", "1"}, {"column", "2"}, {"deadline_s", "60"}})}};
+          .instruments = {
+              instrument("ascii-board", {InstrumentRole::AngleSensor, InstrumentRole::AngleReference}, "ACM-1",
+                         {{"reference_column", "1"}, {"column", "2"}, {"deadline_s", "60"}, {"keeps_zero", "yes"}})}};
 }
 
 class BenchStreams : public ::testing::Test {

@@ -286,8 +286,7 @@ void BenchWindowTest::anotherBenchTakesItsPlace() {
 
 void BenchWindowTest::aFieldBenchIsReadInItsOwnPage() {
   DeskWindow desk;
-  desk.window.newFieldCalibration();
-  desk.driver.step(QStringLiteral("Connect"));
+  desk.window.newFieldCalibration(); // begins at Connect
   desk.find<QTabWidget>("benches").setCurrentIndex(1);
   auto meter = std::make_shared<fakes::UsbTmcDevice>();
   meter->onMessage([](const std::string& message) -> std::optional<std::string> {
@@ -311,7 +310,7 @@ void BenchWindowTest::aFieldBenchIsReadInItsOwnPage() {
   QTRY_VERIFY(desk.find<ValueLabel>("raw_y").text().startsWith(QStringLiteral("−0.5")));
   desk.bus.unplug(plug);
   QTRY_COMPARE(desk.find<ValueLabel>("raw_y").text(), QStringLiteral("–"));
-  QVERIFY(desk.find<QLabel>("fault-field-probe").text().contains(QStringLiteral("not plugged in")));
+  QTRY_VERIFY(desk.find<QLabel>("fault-field-probe").text().contains(QStringLiteral("not plugged in")));
 }
 
 std::unique_ptr<QObject> makeBenchWindowTest() { return std::make_unique<BenchWindowTest>(); }
