@@ -5,7 +5,6 @@
 #include "app/cli/messages.h"
 #include "app/cli/options.h"
 #include "app/cli/render_program.h"
-#include "app/cli/scratch_folder.h"
 #include "app/cli/sweep_input.h"
 #include "core/base/file_output.h"
 #include "core/base/time_stamp.h"
@@ -91,21 +90,12 @@ Result<std::string> writeResults(const field::FieldCalibration& calibration, con
 }
 
 Result<void> draw(const FieldFitArguments& arguments, const field::Campaign& campaign) {
-  RenderRequest request{arguments.out + "/calibration.json", arguments.out, arguments.campaign, arguments.plots,
-                        arguments.report};
-  if (arguments.campaign != "-") {
-    return renderWithoutDisplay(request);
-  }
-  // Standard input can be read only once: the drawing program gets the rows as a file.
-  const auto scratch = ScratchFolder::create();
-  if (!scratch) {
-    return std::unexpected(scratch.error());
-  }
-  request.sweep = scratch->file("campaign.csv");
-  if (auto written = writeFileWhole(*request.sweep, field::campaignCsv(campaign)); !written) {
-    return written;
-  }
-  return renderWithoutDisplay(request);
+  return renderRowsWithoutDisplay({.calibration = arguments.out + "/calibration.json",
+                                   .out = arguments.out,
+                                   .sweep = {},
+                                   .plots = arguments.plots,
+                                   .report = arguments.report},
+                                  arguments.campaign, "campaign.csv", [&] { return field::campaignCsv(campaign); });
 }
 
 Result<int> fitField(const FieldFitArguments& arguments) {

@@ -3,7 +3,6 @@
 #include "app/cli/messages.h"
 #include "app/cli/options.h"
 #include "app/cli/render_program.h"
-#include "app/cli/scratch_folder.h"
 #include "app/cli/summary_table.h"
 #include "app/cli/sweep_input.h"
 #include "core/angle/sweep_csv.h"
@@ -39,20 +38,12 @@ Result<void> writeResults(const angle::AngleCalibration& calibration, const std:
 }
 
 Result<void> draw(const FitOptions& options, const angle::Sweep& sweep) {
-  RenderRequest request{options.out + "/calibration.json", options.out, options.sweep, options.plots, options.report};
-  if (options.sweep != "-") {
-    return renderWithoutDisplay(request);
-  }
-  // Standard input can be read only once: the drawing program gets the rows as a file.
-  const auto scratch = ScratchFolder::create();
-  if (!scratch) {
-    return std::unexpected(scratch.error());
-  }
-  request.sweep = scratch->file("sweep.csv");
-  if (auto written = writeFileWhole(*request.sweep, angle::sweepToCsv(sweep)); !written) {
-    return written;
-  }
-  return renderWithoutDisplay(request);
+  return renderRowsWithoutDisplay({.calibration = options.out + "/calibration.json",
+                                   .out = options.out,
+                                   .sweep = {},
+                                   .plots = options.plots,
+                                   .report = options.report},
+                                  options.sweep, "sweep.csv", [&] { return angle::sweepToCsv(sweep); });
 }
 
 std::string listOfFiles(const angle::AngleCalibration& calibration) {

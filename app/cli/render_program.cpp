@@ -1,5 +1,9 @@
 #include "app/cli/render_program.h"
 
+#include "app/cli/scratch_folder.h"
+#include "core/angle/session_sweep.h"
+#include "core/base/file_output.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -9,6 +13,7 @@
 #include <filesystem>
 #include <spawn.h>
 #include <sstream>
+#include <string_view>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
@@ -61,13 +66,20 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return list;
 }
 
-/// First line that says something.
-std::string firstLine(const std::string& text) {
+/// What the program said of its end; libraries may have written before it.
+std::string lastWords(const std::string& text) {
+  constexpr std::string_view ownName = "straightedge: ";
   std::istringstream lines(text);
-  std::string line;
-  while (std::getline(lines, line) && line.find_first_not_of(" \t\r") == std::string::npos) {
+  std::string words;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(ownName)) {
+      return line.substr(ownName.size());
+    }
+    if (words.empty() && line.find_first_not_of(" \t\r") != std::string::npos) {
+      words = line;
+    }
   }
-  return line;
+  return words;
 }
 
 struct Outcome {
@@ -141,11 +153,28 @@ Result<void> renderWithoutDisplay(const RenderRequest& request) {
   }
   std::string how = WIFEXITED(outcome->status) ? "ended with code " + std::to_string(WEXITSTATUS(outcome->status))
                                                : "was ended by signal " + std::to_string(WTERMSIG(outcome->status));
-  if (const std::string line = firstLine(outcome->messages); !line.empty()) {
+  if (const std::string line = lastWords(outcome->messages); !line.empty()) {
     how += " (" + line + ")";
   }
   return fail(ErrorKind::Storage, "drawing plots or the report " + how,
               "everything else is written; try straightedge --render by hand", *program);
+}
+
+Result<void> renderRowsWithoutDisplay(RenderRequest request, const std::string& input, const std::string& name,
+                                      const std::function<std::string()>& asCsv) {
+  request.sweep = input;
+  if (input != "-" && !angle::isSessionFile(input)) {
+    return renderWithoutDisplay(request);
+  }
+  const auto scratch = ScratchFolder::create();
+  if (!scratch) {
+    return std::unexpected(scratch.error());
+  }
+  request.sweep = scratch->file(name);
+  if (auto written = writeFileWhole(*request.sweep, asCsv()); !written) {
+    return written;
+  }
+  return renderWithoutDisplay(request);
 }
 
 } // namespace straightedge::cli

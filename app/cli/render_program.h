@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -17,7 +18,12 @@ struct RenderRequest {
 };
 
 /// Starts `straightedge --render` found beside this program, or on PATH, without a display, and waits for it.
-/// Errors (Storage): not found; it failed (with its own first line).
+/// Errors (Storage): not found; it failed (with what it said).
 Result<void> renderWithoutDisplay(const RenderRequest& request);
+
+/// The same for rows that came from `input`. Where the drawing program cannot read that file (standard input is read
+/// only once, a session is no CSV file), it gets what `asCsv` makes of the rows, under `name`.
+Result<void> renderRowsWithoutDisplay(RenderRequest request, const std::string& input, const std::string& name,
+                                      const std::function<std::string()>& asCsv);
 
 } // namespace straightedge::cli

@@ -55,6 +55,8 @@ private slots:
   void withoutOpenGlTheRestIsWritten();
   void moduleIsFoundWhereItIsInstalled();
   void jointFitOfStandardInputIsReported();
+  void sessionsAreDrawnToo_data();
+  void sessionsAreDrawnToo();
   void renderRefusesOneLine();
 };
 
@@ -124,6 +126,27 @@ void FieldProgramTest::jointFitOfStandardInputIsReported() {
   QVERIFY(text.contains("All blocks were fitted together"));
   QVERIFY(text.contains("from which the joint fit started"));
   QVERIFY(!QDir(folder.filePath("plots")).exists());
+}
+
+void FieldProgramTest::sessionsAreDrawnToo_data() {
+  QTest::addColumn<QStringList>("plan");
+  QTest::newRow("angle") << QStringList{"--points", "24"};
+  QTest::newRow("field") << QStringList{"--stages", "nonlinearity,verification", "--rows", "3"};
+}
+
+void FieldProgramTest::sessionsAreDrawnToo() {
+  QFETCH(const QStringList, plan);
+  const QString kind = QString::fromLatin1(QTest::currentDataTag());
+  const QTemporaryDir folder;
+  const QString session = folder.filePath("captured.sedge");
+  const Ended captured =
+      runProgram("straightedge-cli", QStringList{"capture", kind, "--bench", "simulated", "--session", session} + plan);
+  QVERIFY2(captured.code == 0, captured.err.constData());
+  const QString out = folder.filePath("out");
+  const Ended run = runProgram("straightedge-cli", {kind, "fit", session, "--out", out, "--plots", "--report"});
+  QVERIFY2(run.code == 0, run.err.constData());
+  QVERIFY(QFile::exists(out + "/report.pdf"));
+  QVERIFY(!filesIn(out + "/plots", "*.svg").isEmpty());
 }
 
 void FieldProgramTest::renderRefusesOneLine() {
