@@ -5,6 +5,7 @@
 #include "app/gui/field_steps/simulated_field_form.h"
 #include "app/gui/figures/field_figure_parts.h"
 #include "app/gui/steps/connect_column.h"
+#include "app/gui/steps/connect_wiring.h"
 #include "app/gui/steps/notice_list.h"
 #include "app/gui/steps/value_label.h"
 #include "core/field/names.h"
@@ -49,19 +50,8 @@ FieldConnectStep::FieldConnectStep(FieldStepContext context, QWidget* parent)
 }
 
 void FieldConnectStep::connectInstruments() {
-  connect(&m_realBench.opener(), &BenchOpener::opened, this, [this](const auto& bench) {
-    if (!m_presenter.useInstruments(bench)) {
-      m_realBench.close();
-    }
-  });
-  connect(&m_realBench.opener(), &BenchOpener::closed, &m_presenter, &FieldConnectPresenter::letGoOfInstruments);
+  wireInstruments(*this, m_presenter, m_realBench);
   connect(&m_realBench.opener(), &BenchOpener::rolesRead, this, &FieldConnectStep::takeRoles);
-  connect(&m_presenter, &FieldConnectPresenter::connectionChanged, this, [this] {
-    m_realBench.setCapturing(!m_presenter.mayChange());
-    if (const auto& bench = m_realBench.opener().bench(); bench && !m_presenter.usesInstruments(bench.get())) {
-      m_realBench.close(); // another bench was connected in its place
-    }
-  });
 }
 
 void FieldConnectStep::takeRoles() {
@@ -113,18 +103,11 @@ void FieldConnectStep::left() {
 QWidget* FieldConnectStep::makeColumn() {
   m_column = new ConnectColumn(this);
   m_form = new SimulatedFieldForm(m_column);
-  m_column->addBench(tr("Simulated bench"),
-                     tr("A Hall teslameter, an NMR, a magnet and two chambers in software, with a truth that is known. "
-                        "For learning the method and for trying out plans."),
-                     m_form);
-  m_panel = new BenchPanel(m_realBench, m_column);
-  m_column->addBench(tr("Instruments"), {}, m_panel, false);
-  m_column->chooseBench(m_realBench.benchName().isEmpty() ? 0 : 1); // what was used last
-  connect(m_column, &ConnectColumn::connectWanted, this, [this] { m_presenter.connectSimulated(m_form->settings()); });
-  connect(m_column, &ConnectColumn::disconnectWanted, &m_presenter, &FieldConnectPresenter::disconnectBench);
-  connect(m_column, &ConnectColumn::nextWanted, this, [this] { emit goToStep(tr("Capture")); });
-  connect(m_column, &ConnectColumn::detailsWanted, this, &StepPage::detailsRequested);
-  connect(m_column, &ConnectColumn::takeOverWanted, &m_presenter, &FieldConnectPresenter::takeOverInstruments);
+  m_panel = fillConnectColumn(
+      *m_column,
+      tr("A Hall teslameter, an NMR, a magnet and two chambers in software, with a truth that is known. "
+         "For learning the method and for trying out plans."),
+      *m_form, *this, m_presenter, m_realBench);
   return m_column;
 }
 

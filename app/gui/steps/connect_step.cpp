@@ -3,6 +3,7 @@
 #include "app/gui/bench/bench_console.h"
 #include "app/gui/bench/bench_panel.h"
 #include "app/gui/steps/connect_column.h"
+#include "app/gui/steps/connect_wiring.h"
 #include "app/gui/steps/live_dial.h"
 #include "app/gui/steps/notice_list.h"
 #include "app/gui/steps/simulated_bench_form.h"
@@ -42,20 +43,9 @@ ConnectStep::ConnectStep(StepContext context, QWidget* parent)
 }
 
 void ConnectStep::connectInstruments() {
-  connect(&m_realBench.opener(), &BenchOpener::opened, this, [this](const auto& bench) {
-    if (!m_presenter.useInstruments(bench)) {
-      m_realBench.close();
-    }
-  });
-  connect(&m_realBench.opener(), &BenchOpener::closed, &m_presenter, &ConnectPresenter::letGoOfInstruments);
+  wireInstruments(*this, m_presenter, m_realBench);
   connect(&m_realBench.opener(), &BenchOpener::angleRead, &m_presenter, &ConnectPresenter::takeReading);
   connect(&m_realBench.opener(), &BenchOpener::angleLost, &m_presenter, &ConnectPresenter::loseReading);
-  connect(&m_presenter, &ConnectPresenter::connectionChanged, this, [this] {
-    m_realBench.setCapturing(!m_presenter.mayChange());
-    if (const auto& bench = m_realBench.opener().bench(); bench && !m_presenter.usesInstruments(bench.get())) {
-      m_realBench.close(); // another bench was connected in its place
-    }
-  });
 }
 
 QString ConnectStep::title() const { return tr("Connect"); }
@@ -75,18 +65,11 @@ void ConnectStep::left() {
 QWidget* ConnectStep::makeColumn() {
   m_column = new ConnectColumn(this);
   m_form = new SimulatedBenchForm(m_column);
-  m_column->addBench(tr("Simulated bench"),
-                     tr("A magnet, a sensor and an encoder in software, with a truth that is known. For learning the "
-                        "method and for trying out plans."),
-                     m_form);
-  m_panel = new BenchPanel(m_realBench, m_column);
-  m_column->addBench(tr("Instruments"), {}, m_panel, false);
-  m_column->chooseBench(m_realBench.benchName().isEmpty() ? 0 : 1); // what was used last
-  connect(m_column, &ConnectColumn::connectWanted, this, [this] { m_presenter.connectSimulated(m_form->settings()); });
-  connect(m_column, &ConnectColumn::disconnectWanted, &m_presenter, &ConnectPresenter::disconnectBench);
-  connect(m_column, &ConnectColumn::nextWanted, this, [this] { emit goToStep(tr("Capture")); });
-  connect(m_column, &ConnectColumn::detailsWanted, this, &StepPage::detailsRequested);
-  connect(m_column, &ConnectColumn::takeOverWanted, &m_presenter, &ConnectPresenter::takeOverInstruments);
+  m_panel = fillConnectColumn(
+      *m_column,
+      tr("A magnet, a sensor and an encoder in software, with a truth that is known. For learning the "
+         "method and for trying out plans."),
+      *m_form, *this, m_presenter, m_realBench);
   return m_column;
 }
 
