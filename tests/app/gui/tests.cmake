@@ -1,6 +1,8 @@
 # Tests of the window: each folder below lists its own. Qt Test or GoogleTest, always on the offscreen platform.
 # straightedge_add_qt_test(NAME gui_plot_view SOURCES … LIBRARIES … LABELS gui): one Qt Test executable, one ctest, on the
 # offscreen platform: no X server, no shared pointer, any number at once.
+set(STRAIGHTEDGE_QT_TEST_ENVIRONMENT QT_QPA_PLATFORM=offscreen QT_FATAL_CRITICALS=1
+  QTEST_FUNCTION_TIMEOUT=${STRAIGHTEDGE_TEST_LIMIT_S}000)
 function(straightedge_add_qt_test)
   cmake_parse_arguments(ARG "" "NAME" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   find_package(Qt6 6.4 REQUIRED COMPONENTS Test Widgets)
@@ -14,7 +16,7 @@ function(straightedge_add_qt_test)
     STRAIGHTEDGE_BINARY_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
   add_test(NAME ${ARG_NAME} COMMAND ${ARG_NAME})
   set_tests_properties(${ARG_NAME} PROPERTIES
-    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;QT_FATAL_CRITICALS=1" LABELS "${ARG_LABELS}" TIMEOUT 300)
+    ENVIRONMENT "${STRAIGHTEDGE_QT_TEST_ENVIRONMENT}" LABELS "${ARG_LABELS}" TIMEOUT ${STRAIGHTEDGE_TEST_LIMIT_S})
 endfunction()
 
 foreach(room plots figures document jobs shell bench steps steps_capture steps_fit field_steps field_capture window end_to_end screenshots)

@@ -11,4 +11,4 @@ straightedge_add_qt_test(NAME gui_bench
   LIBRARIES straightedge::window emulated_usb
   LABELS "gui;threads")
 set_tests_properties(gui_bench PROPERTIES
-  ENVIRONMENT "QT_QPA_PLATFORM=offscreen;QT_FATAL_CRITICALS=1;LD_PRELOAD=${STRAIGHTEDGE_USB_PRELOAD}")
+  ENVIRONMENT "${STRAIGHTEDGE_QT_TEST_ENVIRONMENT};LD_PRELOAD=${STRAIGHTEDGE_USB_PRELOAD}")
