@@ -123,11 +123,6 @@ CaptureWorker::Step<void> CaptureWorker::recordGaps(const StreamBlock& block) {
 }
 
 CaptureWorker::Step<void> CaptureWorker::storeStream(const StreamBlock& block, StreamPass& pass) {
-  if (pass.begun()) { // on the way to the first sector there is nothing to miss
-    if (auto recorded = recordGaps(block); !recorded) {
-      return recorded;
-    }
-  }
   std::vector<session::AngleSample> samples;
   samples.reserve(block.samples.size());
   for (const StreamedAngle& streamed : block.samples) {
@@ -147,6 +142,13 @@ CaptureWorker::Step<void> CaptureWorker::storeStream(const StreamBlock& block, S
     sample.encoderDeg = streamed.encoderDeg;
     sample.sensorDeg = streamed.sensorDeg;
     samples.push_back(sample);
+  }
+  // On the way to the first sector there is nothing to miss. Of the look in which it was reached it is not known what
+  // came before: all of it is told.
+  if (pass.begun()) {
+    if (auto recorded = recordGaps(block); !recorded) {
+      return recorded;
+    }
   }
   if (auto stored = store(std::move(samples)); !stored) {
     return stored;

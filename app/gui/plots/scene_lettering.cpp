@@ -45,8 +45,8 @@ void SceneLettering::writeBeside(const QPointF& point, const QPointF& awayFrom, 
   place = inside(place);
   const QRectF wished = place;
   for (int step = 1; !isFree(place) && step < 40; ++step) { // nearest free place above or below
-    const int distance = (step + 1) / 2;
-    const double shift = 4.0 * distance * (step % 2 == 1 ? 1.0 : -1.0);
+    const int tries = (step + 1) / 2;
+    const double shift = 4.0 * tries * (step % 2 == 1 ? 1.0 : -1.0);
     place = inside(wished.translated(0.0, shift));
   }
   m_taken << place;
