@@ -137,7 +137,7 @@ double CapturePresenter::plannedDurationS() const {
 }
 
 QString CapturePresenter::turnByHand() const {
-  if (m_bench.hasStage()) {
+  if (m_bench.hasStage() || m_shownPlan.sampleRateHz > 0.0) { // a shaft that turns on is guided by the capture's note
     return {};
   }
   const std::vector<devices::PlannedPoint> planned = devices::plannedPoints(m_shownPlan);
