@@ -16,7 +16,8 @@ std::string campaignText(int times) {
   std::ifstream file(STRAIGHTEDGE_TEST_DATA "/field/campaign.csv");
   std::string text;
   for (std::string line; std::getline(file, line);) {
-    for (int i = 0; i < (text.empty() ? 1 : times); ++i) {
+    const int copies = text.empty() ? 1 : times; // one header
+    for (int i = 0; i < copies; ++i) {
       text += line + "\n";
     }
   }
@@ -30,7 +31,15 @@ void readAndFit(benchmark::State& state, FitMethod method) {
   double peak = 0.0;
   for ([[maybe_unused]] const auto iteration : state) {
     const auto campaign = parseCampaignCsv(text, "campaign.csv", "campaign.csv");
+    if (!campaign) {
+      state.SkipWithError(campaign.error().message().c_str());
+      return;
+    }
     const auto run = calibrateField(*campaign, options, {});
+    if (!run) {
+      state.SkipWithError(run.error().message().c_str());
+      return;
+    }
     peak = run->result.verification.back().ofFullScale.peak;
   }
   state.counters["peak_percent"] = peak;
