@@ -60,10 +60,13 @@ void BenchLinkTest::refusesBadPlan() {
 
 void BenchLinkTest::pausesAndResumes() {
   OpenCalibration open;
-  QVERIFY(open.connectFast());
+  auto held = std::make_shared<FailingBench>(fastSettings(), 5000);
+  QVERIFY(open.bench.connectBench(held->bench(), held).has_value());
   QSignalSpy ended(&open.bench, &BenchLink::captureEnded);
+  held->hold();
   QVERIFY(open.bench.startCapture(planOf(4000), SweepRole::Calibration, false).has_value());
   open.bench.pauseCapture();
+  held->letGo();
   QTRY_COMPARE(open.bench.progress().state, CaptureState::Paused);
   QVERIFY(open.bench.isCapturing());
   QVERIFY(open.bench.progress().pointsDone < 4000);

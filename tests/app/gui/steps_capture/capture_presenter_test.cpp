@@ -100,8 +100,10 @@ void CapturePresenterTest::pausesResumesStopsAndContinues() {
   QVERIFY(open.bench.connectBench(failing->bench(), failing).has_value());
   presenter.setPlan(planOf(4000));
   QSignalSpy ended(&open.bench, &BenchLink::captureEnded);
+  failing->hold(); // however slow this thread is, the pause comes before the fault
   presenter.start();
   presenter.pause();
+  failing->letGo();
   QTRY_COMPARE(presenter.phase(), Phase::Paused);
   QVERIFY(presenter.canResume());
   presenter.resume();
