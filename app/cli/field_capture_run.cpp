@@ -22,7 +22,7 @@ namespace straightedge::cli {
 
 namespace {
 
-constexpr auto role = session::SweepRole::Calibration;
+constexpr auto sweepRole = session::SweepRole::Calibration;
 
 Result<devices::SimulatedFieldSettings> withOptions(devices::SimulatedFieldSettings settings,
                                                     const FieldCaptureRequest& request) {
@@ -78,7 +78,7 @@ Result<std::string> planOfCampaign(const session::Session& session) {
 Result<void> readStored(PreparedFieldRun& run, const FieldCaptureRequest& request) {
   auto plan = planOfCampaign(*run.session);
   auto settings = run.session->document("simulated-bench");
-  auto already = run.session->fieldSamples(role);
+  auto already = run.session->fieldSamples(sweepRole);
   if (!plan || !settings || !already) {
     return std::unexpected(!plan ? plan.error() : !settings ? settings.error() : already.error());
   }
@@ -110,7 +110,7 @@ Result<PreparedFieldRun> prepareResumed(const FieldCaptureRequest& request, cons
   if (auto read = readStored(run, request); !read) {
     return std::unexpected(std::move(read.error()));
   }
-  if (auto same = source.checkSame(*run.session, role); !same) {
+  if (auto same = source.checkSame(*run.session, sweepRole); !same) {
     return std::unexpected(std::move(same.error()));
   }
   auto settings = withOptions(run.settings, request);
@@ -148,7 +148,7 @@ Result<PreparedFieldRun> prepareNew(const FieldCaptureRequest& request, const Be
   }
   PreparedFieldRun run{
       .session = *std::move(created), .plan = *std::move(plan), .settings = *std::move(settings), .already = {}};
-  auto noted = source.note(*run.session, role);
+  auto noted = source.note(*run.session, sweepRole);
   if (noted && source.isSimulated()) {
     noted = run.session->setDocument("simulated-bench", devices::simulatedFieldSettingsToJson(run.settings));
   }
@@ -182,7 +182,7 @@ Result<void> writeCsv(const PreparedFieldRun& run, const FieldCaptureRequest& re
   if (request.csv.empty()) {
     return {};
   }
-  const auto samples = run.session->fieldSamples(role);
+  const auto samples = run.session->fieldSamples(sweepRole);
   if (!samples) {
     return std::unexpected(samples.error());
   }
@@ -234,7 +234,7 @@ Result<void> captureOn(BenchSource& source, CaptureWatch& watch, const FieldCapt
   }
   devices::FieldCaptureProgress progress;
   {
-    auto sink = run->session->fieldSink(role);
+    auto sink = run->session->fieldSink(sweepRole);
     if (!sink) {
       return std::unexpected(std::move(sink.error()));
     }

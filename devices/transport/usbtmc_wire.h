@@ -1,6 +1,5 @@
 // USBTMC 1.0 and USB488 1.0 on the wire: headers of 12 bytes, numbers of requests, status values. The texts of the
-// standards are free at usb.org; the points that hosts get wrong are in shared/reference/instruments.md D, with their
-// sources.
+// standards are free at usb.org; the points that hosts get wrong have their tests in tests/devices/usb.
 #pragma once
 
 #include <array>

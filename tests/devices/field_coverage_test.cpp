@@ -12,7 +12,7 @@
 namespace straightedge::devices {
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef STRAIGHTEDGE_SANITIZED
 constexpr int campaigns = 100; // what is counted does not depend on the build: here only memory is watched
 #else
 constexpr int campaigns = 2000;

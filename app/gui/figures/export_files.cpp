@@ -72,7 +72,7 @@ void addPictures(Files& files, const QList<NamedFigure>& figures, const ExportCh
     for (const auto& [wanted, format] : formats) {
       if (wanted) {
         files.push_back({QStringLiteral("plots/") + figure.stem + QLatin1Char('.') + suffixOf(format),
-                         [make = figure.make, format = format] { return plotAs(format, make()); }});
+                         [make = figure.make, as = format] { return plotAs(as, make()); }});
       }
     }
   }

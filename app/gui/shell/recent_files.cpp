@@ -6,17 +6,17 @@
 namespace straightedge::gui {
 
 namespace {
-const QString key = QStringLiteral("recentFiles");
+const QString filesKey = QStringLiteral("recentFiles");
 
 void store(const QStringList& files) {
   QSettings settings;
-  settings.setValue(key, files);
+  settings.setValue(filesKey, files);
 }
 } // namespace
 
 RecentFiles::RecentFiles(QObject* parent) : QObject(parent) {}
 
-QStringList RecentFiles::files() const { return QSettings().value(key).toStringList(); }
+QStringList RecentFiles::files() const { return QSettings().value(filesKey).toStringList(); }
 
 void RecentFiles::add(const QString& file) {
   const QString absolute = QFileInfo(file).absoluteFilePath();

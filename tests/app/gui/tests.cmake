@@ -3,14 +3,22 @@
 # offscreen platform: no X server, no shared pointer, any number at once.
 set(STRAIGHTEDGE_QT_TEST_ENVIRONMENT QT_QPA_PLATFORM=offscreen QT_FATAL_CRITICALS=1
   QTEST_FUNCTION_TIMEOUT=${STRAIGHTEDGE_TEST_LIMIT_S}000)
+find_package(Qt6 6.4 REQUIRED COMPONENTS Test Widgets)
+if(STRAIGHTEDGE_JOIN_TESTS)
+  straightedge_add_test_headers(qt_test_headers LIBRARIES Qt6::Test Qt6::Widgets
+    HEADERS ${STRAIGHTEDGE_QT_HEADERS} <QSignalSpy> <QTest> ${PROJECT_SOURCE_DIR}/tests/app/gui/patience.h)
+endif()
 function(straightedge_add_qt_test)
   cmake_parse_arguments(ARG "" "NAME" "SOURCES;LIBRARIES;LABELS" ${ARGN})
-  find_package(Qt6 6.4 REQUIRED COMPONENTS Test Widgets)
   add_executable(${ARG_NAME} ${ARG_SOURCES})
   set_target_properties(${ARG_NAME} PROPERTIES AUTOMOC ON)
   target_link_libraries(${ARG_NAME} PRIVATE straightedge::build_flags Qt6::Test Qt6::Widgets ${ARG_LIBRARIES})
-  target_compile_options(${ARG_NAME} PRIVATE ${STRAIGHTEDGE_TEST_OPTIONS}
-    "SHELL:-include ${PROJECT_SOURCE_DIR}/tests/app/gui/patience.h")
+  target_compile_options(${ARG_NAME} PRIVATE ${STRAIGHTEDGE_TEST_OPTIONS})
+  if(TARGET qt_test_headers)
+    straightedge_precompile_test(${ARG_NAME} qt_test_headers)
+  else()
+    target_compile_options(${ARG_NAME} PRIVATE "SHELL:-include ${PROJECT_SOURCE_DIR}/tests/app/gui/patience.h")
+  endif()
   target_compile_definitions(${ARG_NAME} PRIVATE
     STRAIGHTEDGE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
     STRAIGHTEDGE_BINARY_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")

@@ -24,7 +24,7 @@ long double power(const std::vector<double>& ascending, long double x) {
   return sum;
 }
 
-/// The formula of shared/interfaces.md, written down a second time in another arithmetic.
+/// The formula of the coefficient files, written down a second time in another arithmetic.
 std::array<long double, 3> byTheFormula(const CorrectionChain& chain, const Reading& reading) {
   const long double t =
       static_cast<long double>(chain.pt100->slopeCPerOhm) * reading.pt100Ohm + chain.pt100->interceptC;

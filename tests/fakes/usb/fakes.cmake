@@ -17,9 +17,9 @@ target_link_libraries(emulated_usb PUBLIC straightedge::build_flags PkgConfig::U
 target_compile_options(emulated_usb PRIVATE ${STRAIGHTEDGE_TEST_OPTIONS})
 straightedge_join_tests(emulated_usb)
 
-# The sanitizer's library has to come before umockdev's in the list.
+# GCC's sanitizer is a library that has to come before umockdev's in the list; Clang's is in the program.
 set(STRAIGHTEDGE_USB_PRELOAD libumockdev-preload.so.0)
-if(STRAIGHTEDGE_SANITIZE MATCHES "address")
+if(STRAIGHTEDGE_SANITIZE MATCHES "address" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libasan.so
     OUTPUT_VARIABLE STRAIGHTEDGE_LIBASAN OUTPUT_STRIP_TRAILING_WHITESPACE)
   set(STRAIGHTEDGE_USB_PRELOAD "${STRAIGHTEDGE_LIBASAN}:libumockdev-preload.so.0")
@@ -31,6 +31,7 @@ function(straightedge_add_usb_test)
   add_executable(${ARG_NAME} ${ARG_SOURCES})
   target_link_libraries(${ARG_NAME} PRIVATE straightedge::build_flags emulated_usb GTest::gmock GTest::gtest_main ${ARG_LIBRARIES})
   target_compile_options(${ARG_NAME} PRIVATE ${STRAIGHTEDGE_TEST_OPTIONS})
+  straightedge_precompile_test(${ARG_NAME} test_headers)
   target_compile_definitions(${ARG_NAME} PRIVATE
     STRAIGHTEDGE_TEST_DATA="${CMAKE_CURRENT_SOURCE_DIR}/data"
     STRAIGHTEDGE_BINARY_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")

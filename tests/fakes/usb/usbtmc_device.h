@@ -1,6 +1,5 @@
 // An emulated USBTMC/USB488 instrument that answers by a function of the message, records what the host does wrong, and
-// misbehaves when told to. After USBTMC 1.0 and USB488 1.0 as the sources in shared/reference/instruments.md D quote
-// them.
+// misbehaves when told to. After USBTMC 1.0 and USB488 1.0.
 #pragma once
 
 #include "tests/fakes/usb/emulated_device.h"

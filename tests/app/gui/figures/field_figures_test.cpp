@@ -1,5 +1,5 @@
-// Field figures, report, export and --render on the example campaign. Expected figures are of
-// shared/reference/README.md (computed independently) or taken from the run that the plot shows.
+// Field figures, report, export and --render on the example campaign. Expected figures were
+// computed independently (tests/data/field) or are taken from the run that the plot shows.
 #include "app/gui/figures/export_files.h"
 #include "app/gui/figures/field_axis_figures.h"
 #include "app/gui/figures/field_campaign_figures.h"
