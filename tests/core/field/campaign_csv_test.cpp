@@ -133,7 +133,7 @@ Result<Campaign> readBoth(const std::string& text) {
   if (fromFile && fromMemory) {
     EXPECT_EQ(fromFile->name, "c.csv");
     EXPECT_EQ(fromFile->sha256, fromMemory->sha256);
-    EXPECT_EQ(campaignCsv(*fromFile), campaignCsv(*fromMemory));
+    EXPECT_TRUE(campaignCsv(*fromFile) == campaignCsv(*fromMemory)); // megabytes: not shown
   } else if (!fromFile && !fromMemory) {
     EXPECT_EQ(fromFile.error().message(), folder.path() + "/" + fromMemory.error().message());
   }
