@@ -9,6 +9,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace straightedge::cli {
@@ -97,18 +98,15 @@ Result<ReadingLayout> findFieldReadings(std::string_view start, const std::strin
   return layout;
 }
 
-/// A block's lines, and its readings as the chain wants them: one column of numbers each.
-struct BlockReadings {
-  std::vector<ReadingLine> lines;
-  std::array<std::vector<double>, 5> columns;
+/// Some lines of a block, and their readings as the chain wants them: one column of numbers each. Few enough to stay in
+/// the first caches from reading to writing.
+struct LineGroup {
+  static constexpr std::size_t most = 512;
+  std::array<ReadingLine, most> lines;
+  std::size_t count = 0;
+  std::array<std::array<double, most>, readTitles.size()> columns{};
   std::size_t rows = 0;
 
-  explicit BlockReadings(std::size_t mostRows) {
-    lines.reserve(mostRows);
-    for (auto& column : columns) {
-      column.resize(mostRows);
-    }
-  }
   field::ReadingColumns readings() const {
     const auto filled = [this](std::size_t k) { return std::span<const double>(columns[k]).first(rows); };
     return {filled(0), filled(1), {filled(2), filled(3), filled(4)}};
@@ -127,15 +125,18 @@ public:
   void correct(std::string_view block, bool first, CorrectedBlock& result) const override;
 
 private:
-  bool read(std::string_view row, BlockReadings& readings, CorrectedBlock& result) const;
-  void addCells(const ReadingLine& line, const BlockReadings& readings, CorrectedBlock& result) const;
+  /// The next lines; false where a row is refused.
+  bool read(LineWalk& walk, LineGroup& group, CorrectedBlock& result) const;
+  bool readRow(std::string_view row, LineGroup& group, CorrectedBlock& result) const;
+  void write(const LineGroup& group, CorrectedBlock& result) const;
+  void addCells(LineKind kind, const LineGroup& group, std::size_t row, CorrectedBlock& result) const;
 
   ReadingLayout m_layout;
   field::AppliedChain m_chain;
 };
 
-bool FieldCorrection::read(std::string_view row, BlockReadings& readings, CorrectedBlock& result) const {
-  std::array<double, 5> values{};
+bool FieldCorrection::readRow(std::string_view row, LineGroup& group, CorrectedBlock& result) const {
+  std::array<double, readTitles.size()> values{};
   result.problem = readCells(row, m_layout, values);
   if (result.problem) {
     return false;
@@ -146,21 +147,46 @@ bool FieldCorrection::read(std::string_view row, BlockReadings& readings, Correc
       result.blame("the " + wanted.meaning + " is " + formatDouble(value), "correct it or remove the row");
       return false;
     }
-    readings.columns[wanted.value][readings.rows] = value;
+    group.columns[wanted.value][group.rows] = value;
   }
-  ++readings.rows;
+  ++group.rows;
   return true;
 }
 
-void FieldCorrection::addCells(const ReadingLine& line, const BlockReadings& readings, CorrectedBlock& result) const {
-  for (std::size_t axis = 0; axis < addedTitles.size(); ++axis) {
-    result.add({&m_layout.csv.separator, 1});
-    if (line.kind == LineKind::Header) {
-      result.add(addedTitles[axis]);
-    } else if (line.kind == LineKind::Row) {
-      result.addNumber(readings.columns[firstRaw + axis][result.rows], m_layout.csv.decimalPoint);
+bool FieldCorrection::read(LineWalk& walk, LineGroup& group, CorrectedBlock& result) const {
+  group.count = 0;
+  group.rows = 0;
+  while (group.count < LineGroup::most && walk.next(group.lines[group.count])) {
+    const ReadingLine& line = group.lines[group.count++];
+    if (line.kind == LineKind::Row && !readRow(line.content, group, result)) {
+      return false;
     }
   }
+  return true;
+}
+
+void FieldCorrection::addCells(LineKind kind, const LineGroup& group, std::size_t row, CorrectedBlock& result) const {
+  for (std::size_t axis = 0; axis < addedTitles.size(); ++axis) {
+    result.add({&m_layout.csv.separator, 1});
+    if (kind == LineKind::Header) {
+      result.add(addedTitles[axis]);
+    } else if (kind == LineKind::Row) {
+      result.addNumber(group.columns[firstRaw + axis][row], m_layout.csv.decimalPoint);
+    }
+  }
+}
+
+void FieldCorrection::write(const LineGroup& group, CorrectedBlock& result) const {
+  std::size_t row = 0;
+  for (const ReadingLine& line : std::span(group.lines).first(group.count)) {
+    result.add(line.content);
+    if (line.kind != LineKind::Passed) {
+      addCells(line.kind, group, row, result);
+      row += line.kind == LineKind::Row ? 1 : 0;
+    }
+    result.add(line.end);
+  }
+  result.rows += row;
 }
 
 void FieldCorrection::correct(std::string_view block, bool first, CorrectedBlock& result) const {
@@ -169,25 +195,16 @@ void FieldCorrection::correct(std::string_view block, bool first, CorrectedBlock
   result.begin(block.size() + (newlines + 1) * addedTitles.size() * (longestDoubleText + 1));
   const std::size_t mark = first ? byteOrderMarkLength(block) : 0;
   result.add(block.substr(0, mark));
-  BlockReadings readings(newlines + 1);
   LineWalk walk(block.substr(mark), first && m_layout.csv.hasHeader);
-  for (ReadingLine line; walk.next(line);) {
-    if (line.kind == LineKind::Row && !read(line.content, readings, result)) {
-      result.lines = walk.lines();
-      return;
+  LineGroup group;
+  do {
+    if (!read(walk, group, result)) {
+      break;
     }
-    readings.lines.push_back(line);
-  }
+    m_chain.correct(group.readings(), group.fields());
+    write(group, result);
+  } while (group.count == LineGroup::most);
   result.lines = walk.lines();
-  m_chain.correct(readings.readings(), readings.fields());
-  for (const ReadingLine& line : readings.lines) {
-    result.add(line.content);
-    if (line.kind != LineKind::Passed) {
-      addCells(line, readings, result);
-      result.rows += line.kind == LineKind::Row ? 1 : 0;
-    }
-    result.add(line.end);
-  }
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "app/cli/reading_lines.h"
 
 #include "core/base/number_text.h"
+#include "core/base/plain_number.h"
 
 #include <cstring>
 
@@ -58,6 +59,42 @@ std::optional<Error> readQuoted(std::string_view row, const ReadingLayout& layou
   return std::nullopt;
 }
 
+/// Reads a row whose wanted cells are plain numbers and in which nothing is quoted, as nearly all are; false for any
+/// other, which readCells() looks into then.
+bool readPlainCells(std::string_view row, const ReadingLayout& layout, std::span<double> values) {
+  const char separator = layout.csv.separator;
+  const char* at = row.data();
+  const char* const end = at + row.size();
+  auto wanted = layout.wanted.begin();
+  for (std::size_t cell = 0;; ++cell, ++at) {
+    if (wanted != layout.wanted.end() && wanted->column == cell) {
+      at = readPlainNumber(at, end, layout.csv.decimalPoint, values[wanted->value]);
+      if (at == nullptr || (at != end && *at != separator)) {
+        return false;
+      }
+      ++wanted;
+    }
+    while (at != end && *at != separator) {
+      if (*at == '"') {
+        return false;
+      }
+      ++at;
+    }
+    if (at == end) {
+      return cell + 1 == layout.columns;
+    }
+  }
+}
+
+/// A line of neither kind that is looked for in LineWalk::next(), told by its first character.
+bool beginsLikeARow(std::string_view line) {
+  if (line.empty()) {
+    return false;
+  }
+  const char first = line.front();
+  return first != ' ' && first != '\t' && first != '#' && first != ',' && first != ';';
+}
+
 } // namespace
 
 bool LineWalk::next(ReadingLine& line) {
@@ -75,6 +112,10 @@ bool LineWalk::next(ReadingLine& line) {
   line.content = m_rest.substr(0, length);
   line.end = m_rest.substr(length, whole - length);
   m_rest.remove_prefix(whole);
+  if (!m_headerDue && beginsLikeARow(line.content)) {
+    line.kind = LineKind::Row;
+    return true;
+  }
   const auto firstSign = line.content.find_first_not_of(" \t");
   if (firstSign == std::string_view::npos || line.content[firstSign] == '#' ||
       (m_headerDue && line.content.size() == 5 && line.content.starts_with("sep="))) {
@@ -90,6 +131,9 @@ bool LineWalk::next(ReadingLine& line) {
 }
 
 std::optional<Error> readCells(std::string_view row, const ReadingLayout& layout, std::span<double> values) {
+  if (readPlainCells(row, layout, values)) {
+    return std::nullopt;
+  }
   if (std::memchr(row.data(), '"', row.size()) != nullptr) {
     return readQuoted(row, layout, values);
   }

@@ -8,8 +8,6 @@ namespace straightedge {
 
 namespace {
 
-constexpr std::size_t sampledLines = 24;
-
 bool isSkipped(std::string_view line) {
   const auto first = line.find_first_not_of(" \t\r");
   return first == std::string_view::npos || line[first] == '#';
@@ -32,7 +30,7 @@ std::size_t countOutsideQuotes(std::string_view line, char wanted) {
 
 char findCsvSeparator(std::string_view text) {
   std::vector<std::string_view> lines;
-  while (!text.empty() && lines.size() < sampledLines) {
+  while (!text.empty() && lines.size() < csvSampledLines) {
     const auto end = text.find('\n');
     const auto line = text.substr(0, std::min(end, longestCsvLine));
     if (!isSkipped(line)) {

@@ -10,7 +10,7 @@ namespace straightedge {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\r\f";
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f'; }
 
 bool isNumber(std::string_view text, char separator) {
   return parseDouble(text).has_value() || (separator != ',' && parseDouble(text, ',').has_value());
@@ -45,25 +45,16 @@ Result<CsvTable> CsvTable::parse(std::string bytes, const std::string& name) {
 
 Result<void> CsvTable::split() {
   std::size_t begin = 0;
-  std::size_t line = 1;
   // Spreadsheets may write "sep=;" as the first line.
   if (m_text.starts_with("sep=") && m_text.size() > 5 && (m_text[5] == '\n' || m_text[5] == '\r')) {
     m_layout.separator = m_text[4];
     begin = m_text.find('\n') + 1;
-    line = 2;
+    m_linesSplit = 1;
   } else {
     m_layout.separator = findCsvSeparator(m_text);
   }
-  for (; begin < m_text.size(); ++line) {
-    const std::size_t end = std::min(m_text.find('\n', begin), m_text.size());
-    if (end - begin > longestCsvLine) {
-      return fail(ErrorKind::Input, "the line is longer than " + std::to_string(longestCsvLine) + " characters",
-                  "name a CSV file with one reading in a line", m_name + ":" + std::to_string(line));
-    }
-    if (auto added = addRow(begin, end, line); !added) {
-      return added;
-    }
-    begin = end + 1;
+  if (auto done = splitFrom(begin); !done) {
+    return done;
   }
   if (m_columns == 0) {
     return fail(ErrorKind::Input, "the file holds nothing but comments and blank lines",
@@ -75,11 +66,44 @@ Result<void> CsvTable::split() {
   return {};
 }
 
+bool CsvTable::readOn(std::string& text) {
+  m_cells.clear();
+  m_lines.clear();
+  m_text.swap(text);
+  if (hasControlBytes(m_text) || !splitFrom(0)) {
+    return false;
+  }
+  if (!m_decimalPointFound) {
+    findDecimalPoint();
+    return m_layout.decimalPoint == '.'; // what was read so far may have been decimal commas without a comma
+  }
+  return true;
+}
+
+Result<void> CsvTable::splitFrom(std::size_t begin) {
+  while (begin < m_text.size()) {
+    const std::size_t line = ++m_linesSplit;
+    const std::size_t end = std::min(m_text.find('\n', begin), m_text.size());
+    if (end - begin > longestCsvLine) {
+      return fail(ErrorKind::Input, "the line is longer than " + std::to_string(longestCsvLine) + " characters",
+                  "name a CSV file with one reading in a line", m_name + ":" + std::to_string(line));
+    }
+    if (auto added = addRow(begin, end, line); !added) {
+      return added;
+    }
+    begin = end + 1;
+  }
+  return {};
+}
+
 Result<void> CsvTable::addRow(std::size_t begin, std::size_t end, std::size_t line) {
-  const std::string_view all(m_text);
-  const auto row = all.substr(begin, end - begin);
-  const auto first = row.find_first_not_of(m_layout.separator == '\t' ? std::string_view(" \r\f") : blanks);
-  if (first == std::string_view::npos || row[first] == '#') {
+  const char separator = m_layout.separator;
+  char* const all = m_text.data();
+  std::size_t first = begin;
+  while (first < end && isBlank(all[first]) && !(all[first] == '\t' && separator == '\t')) {
+    ++first;
+  }
+  if (first == end || all[first] == '#') {
     return {};
   }
   const std::size_t cellsBefore = m_cells.size();
@@ -88,14 +112,17 @@ Result<void> CsvTable::addRow(std::size_t begin, std::size_t end, std::size_t li
   while (true) {
     // A cell that begins with a quote runs to its closing quote; "" inside stands for one.
     std::size_t cellEnd = 0;
-    std::size_t contentBegin = std::min(m_text.find_first_not_of(' ', cellBegin), end);
+    std::size_t contentBegin = cellBegin;
+    while (contentBegin < end && all[contentBegin] == ' ') {
+      ++contentBegin;
+    }
     std::size_t contentEnd = 0;
-    if (contentBegin < end && m_text[contentBegin] == '"') {
+    if (contentBegin < end && all[contentBegin] == '"') {
       std::size_t written = ++contentBegin;
       std::size_t at = contentBegin;
-      while (at < end && (m_text[at] != '"' || (at + 1 < end && m_text[at + 1] == '"'))) {
-        at += m_text[at] == '"' ? 1U : 0U;
-        m_text[written++] = m_text[at++];
+      while (at < end && (all[at] != '"' || (at + 1 < end && all[at + 1] == '"'))) {
+        at += all[at] == '"' ? 1U : 0U;
+        all[written++] = all[at++];
       }
       if (at >= end) {
         return fail(ErrorKind::Input, "a quoted field does not end in this line", "close the quote or remove it",
@@ -104,14 +131,17 @@ Result<void> CsvTable::addRow(std::size_t begin, std::size_t end, std::size_t li
       contentEnd = written;
       cellEnd = std::min(m_text.find(m_layout.separator, at), end);
     } else {
-      cellEnd = std::min(m_text.find(m_layout.separator, cellBegin), end);
+      cellEnd = cellBegin;
+      while (cellEnd < end && all[cellEnd] != separator) {
+        ++cellEnd;
+      }
       contentBegin = cellBegin;
       contentEnd = cellEnd;
     }
-    while (contentBegin < contentEnd && blanks.find(m_text[contentBegin]) != std::string_view::npos) {
+    while (contentBegin < contentEnd && isBlank(all[contentBegin])) {
       ++contentBegin;
     }
-    while (contentEnd > contentBegin && blanks.find(m_text[contentEnd - 1]) != std::string_view::npos) {
+    while (contentEnd > contentBegin && isBlank(all[contentEnd - 1])) {
       --contentEnd;
     }
     anyText = anyText || contentEnd > contentBegin;
@@ -131,7 +161,9 @@ Result<void> CsvTable::addRow(std::size_t begin, std::size_t end, std::size_t li
     const auto numeric = [&](const Cell& cell) { return isNumber(text(cell), m_layout.separator); };
     m_layout.hasHeader = std::ranges::none_of(m_cells, numeric);
     if (m_layout.hasHeader) {
-      m_titles = std::move(m_cells);
+      for (const Cell& cell : m_cells) {
+        m_titles.emplace_back(text(cell));
+      }
       m_cells.clear();
       return {};
     }
@@ -154,6 +186,7 @@ Result<void> CsvTable::addRow(std::size_t begin, std::size_t end, std::size_t li
 
 void CsvTable::findDecimalPoint() {
   if (m_layout.separator == ',') {
+    m_decimalPointFound = true;
     return;
   }
   for (const Cell& cell : m_cells) {
@@ -162,13 +195,14 @@ void CsvTable::findDecimalPoint() {
     const bool point = content.find('.') != std::string_view::npos;
     if (comma != point && parseDouble(content, comma ? ',' : '.')) {
       m_layout.decimalPoint = comma ? ',' : '.';
+      m_decimalPointFound = true;
       return;
     }
   }
 }
 
 std::string_view CsvTable::title(std::size_t column) const {
-  return column < m_titles.size() ? text(m_titles[column]) : std::string_view();
+  return column < m_titles.size() ? std::string_view(m_titles[column]) : std::string_view();
 }
 
 std::string_view CsvTable::cell(std::size_t row, std::size_t column) const {

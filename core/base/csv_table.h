@@ -30,6 +30,12 @@ public:
   /// `path` or "-" for standard input.
   static Result<CsvTable> read(const std::string& path);
 
+  /// Goes on: the rows of the lines that follow in the file take the place of those so far, and `text` takes their
+  /// memory. So a long file is read without all of its cells in memory at once; the first part must hold
+  /// csvSampledLines rows. false: these lines are not as parse() wants them or as the first part promised, the table
+  /// is of no more use; parse() of the whole text tells what is wrong.
+  bool readOn(std::string& text);
+
   const std::string& name() const { return m_name; } ///< of the file, for messages
   const CsvLayout& layout() const { return m_layout; }
   std::size_t columns() const { return m_columns; }
@@ -53,6 +59,7 @@ private:
   };
   CsvTable() = default;
   Result<void> split();
+  Result<void> splitFrom(std::size_t begin);
   Result<void> addRow(std::size_t begin, std::size_t end, std::size_t line);
   void findDecimalPoint();
   std::string_view text(const Cell& cell) const { return std::string_view(m_text).substr(cell.begin, cell.length); }
@@ -61,10 +68,15 @@ private:
   std::string m_text; ///< cells point into it; quoted cells are unescaped in place
   CsvLayout m_layout;
   std::size_t m_columns = 0;
-  std::vector<Cell> m_titles;
+  bool m_decimalPointFound = false;
+  std::size_t m_linesSplit = 0;
+  std::vector<std::string> m_titles;
   std::vector<Cell> m_cells; ///< row by row
   std::vector<std::size_t> m_lines;
 };
+
+/// Lines of a text, comments and blank ones left out, that tell how it is laid out.
+inline constexpr std::size_t csvSampledLines = 24;
 
 /// The cells of one line, split at `separator` outside quotes; neither trimmed nor unescaped.
 std::vector<std::string_view> splitCsvLine(std::string_view line, char separator);

@@ -19,6 +19,9 @@ std::size_t byteOrderMarkLength(std::string_view bytes);
 /// Errors (Input, where = name): empty; UTF-16 or UTF-32; a spreadsheet or an archive; binary (NUL or control bytes).
 Result<void> checkCsvText(std::string_view bytes, const std::string& name);
 
+/// Bytes that no text has: NUL and most other control characters.
+bool hasControlBytes(std::string_view bytes);
+
 /// `bytes` as text: byte-order mark removed, lines ended by LF or CRLF (a file with nothing but CR is converted).
 /// Errors: those of checkCsvText().
 Result<std::string> csvText(std::string bytes, const std::string& name);

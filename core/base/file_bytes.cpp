@@ -9,7 +9,6 @@ namespace straightedge {
 
 namespace {
 
-constexpr std::size_t longestInput = std::size_t{2} << 30U;
 constexpr std::size_t pipeBlock = 65536;
 
 } // namespace

@@ -3,9 +3,13 @@
 
 #include "core/base/error.h"
 
+#include <cstddef>
 #include <string>
 
 namespace straightedge {
+
+/// Cells of longer files could not be counted in 32 bits, and nobody measures as much: refused.
+inline constexpr std::size_t longestInput = std::size_t{2} << 30U;
 
 /// The name under which messages speak of an input: the path as it was given, or "standard input" for "-".
 std::string inputName(const std::string& path);

@@ -9,12 +9,14 @@ Result<bool> LineBlocks::next(std::string& block, std::size_t atLeast) {
   m_rest.clear();
   while (!m_ended) {
     const std::size_t used = block.size();
-    block.resize(used + m_blockSize);
-    const auto count = m_file.read(block.data() + used, m_blockSize);
+    Result<std::size_t> count = 0;
+    block.resize_and_overwrite(used + m_blockSize, [&](char* bytes, std::size_t) {
+      count = m_file.read(bytes + used, m_blockSize);
+      return used + count.value_or(0);
+    });
     if (!count) {
       return std::unexpected(count.error());
     }
-    block.resize(used + *count);
     m_ended = *count == 0;
     const auto newline = block.find_last_of('\n');
     if (!m_ended && newline != std::string::npos && block.size() >= atLeast) {

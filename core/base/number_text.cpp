@@ -1,5 +1,8 @@
 #include "core/base/number_text.h"
 
+#include "core/base/plain_number.h"
+#include "core/base/shortest_decimal.h"
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -32,7 +35,10 @@ std::string formatDouble(double value) {
   return {buffer.data(), formatDouble(value, buffer.data())};
 }
 
-char* formatDouble(double value, char* out) { return std::to_chars(out, out + longestDoubleText, value).ptr; }
+char* formatDouble(double value, char* out) {
+  char* const end = formatEveryday(value, out);
+  return end != nullptr ? end : std::to_chars(out, out + longestDoubleText, value).ptr;
+}
 
 std::string formatForPeople(double value, int digits) {
   std::array<char, 64> buffer{};
@@ -51,6 +57,11 @@ std::string formatForPeople(double value, int digits) {
 }
 
 std::optional<double> parseDouble(std::string_view text, char decimalPoint) {
+  const char* const textEnd = text.data() + text.size();
+  double plain = 0.0;
+  if (!text.empty() && readPlainNumber(text.data(), textEnd, decimalPoint, plain) == textEnd) {
+    return plain;
+  }
   text = withoutPlus(trimmed(text));
   std::string replaced;
   if (decimalPoint != '.') {

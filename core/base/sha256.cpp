@@ -9,11 +9,29 @@
 namespace straightedge {
 
 std::string sha256Hex(std::string_view bytes) {
+  Sha256 sum;
+  sum.add(bytes);
+  return sum.hex();
+}
+
+void Sha256::Free::operator()(evp_md_ctx_st* context) const { EVP_MD_CTX_free(context); }
+
+Sha256::Sha256() : m_context(EVP_MD_CTX_new()) {
   // Fetched once: OpenSSL 3 looks the algorithm up under a lock on every implicit fetch.
   static const EVP_MD* const algorithm = EVP_MD_fetch(nullptr, "SHA256", nullptr);
+  [[maybe_unused]] const int done = EVP_DigestInit_ex2(m_context.get(), algorithm, nullptr);
+  assert(done == 1);
+}
+
+void Sha256::add(std::string_view bytes) {
+  [[maybe_unused]] const int done = EVP_DigestUpdate(m_context.get(), bytes.data(), bytes.size());
+  assert(done == 1);
+}
+
+std::string Sha256::hex() {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int length = 0;
-  [[maybe_unused]] const int done = EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, algorithm, nullptr);
+  [[maybe_unused]] const int done = EVP_DigestFinal_ex(m_context.get(), digest.data(), &length);
   assert(done == 1 && length == 32);
   constexpr std::string_view digits = "0123456789abcdef";
   std::string hex;

@@ -1,4 +1,4 @@
-// Which column of a campaign file holds what. Private to campaign_csv.
+// Which column of a campaign file holds what. Private to campaign_csv and campaign_rows.
 #pragma once
 
 #include "core/base/csv_table.h"

@@ -2,167 +2,27 @@
 
 #include "core/base/csv_table.h"
 #include "core/base/file_bytes.h"
+#include "core/base/input_file.h"
+#include "core/base/line_blocks.h"
 #include "core/base/number_text.h"
 #include "core/base/sha256.h"
 #include "core/field/campaign_columns.h"
+#include "core/field/campaign_rows.h"
 #include "core/field/names.h"
-#include "core/field/step_rows.h"
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 namespace straightedge::field {
 
 namespace {
 
-constexpr double largestFieldT = 100.0;
-
-/// Takes the cells of one row after another; the first thing wrong is kept.
-class RowReader {
-public:
-  RowReader(const CsvTable& table, const CampaignLayout& layout) : m_table(table), m_layout(layout) {}
-
-  Result<CampaignRow> read(std::size_t index);
-
-private:
-  std::string_view cell(CampaignColumn column) const {
-    const auto at = m_layout[column];
-    return at ? m_table.cell(m_row, *at) : std::string_view();
-  }
-  void blame(std::string what, std::string remedy) {
-    if (!m_problem) {
-      m_problem = Error{ErrorKind::Input, std::move(what), std::move(remedy), m_table.where(m_row)};
-    }
-  }
-  void blameCell(CampaignColumn column, const std::string& remedy) {
-    constexpr std::size_t shown = 40;
-    const std::string title(titleOf(column));
-    blame(title + " holds \"" + std::string(cell(column).substr(0, shown)) + "\"", remedy);
-  }
-  double number(CampaignColumn column);
-  double fieldT(CampaignColumn column);
-  bool lockedOr(bool otherwise);
-  void require(CampaignColumn column, bool needed, bool present, const CampaignRow& row);
-  void readWhere(CampaignRow& row);
-
-  const CsvTable& m_table;
-  const CampaignLayout& m_layout;
-  std::size_t m_row = 0;
-  std::optional<Error> m_problem;
-};
-
-double RowReader::number(CampaignColumn column) {
-  const auto text = cell(column);
-  if (text.empty()) {
-    return emptyCell;
-  }
-  const auto value = parseDouble(text, m_table.layout().decimalPoint);
-  if (!value || !std::isfinite(*value)) {
-    blameCell(column, "write a finite number, or remove the row");
-    return emptyCell;
-  }
-  return *value;
-}
-
-double RowReader::fieldT(CampaignColumn column) {
-  const double value = number(column);
-  if (std::abs(value) > largestFieldT) {
-    blame(std::string(titleOf(column)) + " is " + formatForPeople(value) + " T", "give fields in tesla");
-  }
-  return value;
-}
-
-bool RowReader::lockedOr(bool otherwise) {
-  const auto text = cell(CampaignColumn::Locked);
-  if (text.empty()) {
-    return otherwise;
-  }
-  if (text == "1" || text == "0") {
-    return text == "1";
-  }
-  std::string word(text);
-  std::ranges::transform(word, word.begin(),
-                         [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-  if (word == "true" || word == "yes" || word == "locked" || word == "1.0") {
-    return true;
-  }
-  if (word != "false" && word != "no" && word != "unlocked" && word != "0.0") {
-    blameCell(CampaignColumn::Locked, "write 1 for a locked reference and 0 for one that is not");
-  }
-  return false;
-}
-
-void RowReader::require(CampaignColumn column, bool needed, bool present, const CampaignRow& row) {
-  if (!needed || present || m_problem) {
-    return;
-  }
-  const std::string title(titleOf(column));
-  const std::string step(stepName(row.step));
-  if (!m_layout[column]) {
-    blame("the column \"" + title + "\" is missing, which rows of the step " + step + " need",
-          "add it, or remove the rows of that step");
-  } else if (cell(column).empty()) {
-    blame(title + " is empty, which a row of the step " + step + " needs", "fill it in or remove the row");
-  }
-}
-
-void RowReader::readWhere(CampaignRow& row) {
-  if (const auto text = cell(CampaignColumn::Axis); !text.empty()) {
-    row.axis = parseAxis(text);
-    if (!row.axis) {
-      blameCell(CampaignColumn::Axis, "write x, y or z");
-    }
-  }
-  if (const auto text = cell(CampaignColumn::Orientation); !text.empty()) {
-    row.orientation = parseOrientation(text);
-    if (!row.orientation) {
-      blameCell(CampaignColumn::Orientation, "write +x, -x, +y, -y, +z or -z");
-    }
-  }
-}
-
-Result<CampaignRow> RowReader::read(std::size_t index) {
-  m_row = index;
-  CampaignRow row;
-  row.line = static_cast<std::int64_t>(m_table.line(index));
-  const auto step = parseStep(cell(CampaignColumn::Step));
-  if (!step) {
-    blameCell(CampaignColumn::Step, "write one of nonlinearity, probe-temperature, offset, sensitivity, electronics, "
-                                    "electronics-sensitivity, orientation, verification");
-    return std::unexpected(*m_problem);
-  }
-  row.step = *step;
-  readWhere(row);
-  row.referenceT = fieldT(CampaignColumn::Reference);
-  row.locked = lockedOr(!std::isnan(row.referenceT));
-  row.chamberC = number(CampaignColumn::Chamber);
-  row.pt100Ohm = number(CampaignColumn::Pt100);
-  row.electronicsC = number(CampaignColumn::Electronics);
-  row.rawT = {fieldT(CampaignColumn::RawX), fieldT(CampaignColumn::RawY), fieldT(CampaignColumn::RawZ)};
-  row.timeS = number(CampaignColumn::Time);
-  if (row.pt100Ohm <= 0.0) {
-    blameCell(CampaignColumn::Pt100, "give the resistance in ohms, or leave the cell empty");
-  }
-
-  const StepNeeds needs = needsOf(row.step);
-  const bool counts = row.locked || !needs.reference;
-  const auto known = [](double value) { return !std::isnan(value); };
-  require(CampaignColumn::RawX, true, known(row.rawT[0]), row);
-  require(CampaignColumn::RawY, true, known(row.rawT[1]), row);
-  require(CampaignColumn::RawZ, true, known(row.rawT[2]), row);
-  require(CampaignColumn::Axis, needs.axis, row.axis.has_value(), row);
-  require(CampaignColumn::Orientation, needs.orientation, row.orientation.has_value(), row);
-  require(CampaignColumn::Reference, needs.reference && (counts || !m_layout[CampaignColumn::Reference]),
-          known(row.referenceT), row);
-  require(CampaignColumn::Chamber, needs.chamber && counts, known(row.chamberC), row);
-  require(CampaignColumn::Pt100, needs.pt100 && counts, known(row.pt100Ohm), row);
-  require(CampaignColumn::Electronics, needs.electronics && counts, known(row.electronicsC), row);
-  if (m_problem) {
-    return std::unexpected(*m_problem);
-  }
-  return row;
-}
+constexpr std::size_t blockSize = std::size_t{128} * 1024;
 
 void appendNumber(std::string& text, double value) {
   text += ',';
@@ -172,17 +32,8 @@ void appendNumber(std::string& text, double value) {
   }
 }
 
-} // namespace
-
-Result<Campaign> readCampaignCsv(const std::string& path) {
-  auto bytes = readFileBytes(path);
-  if (!bytes) {
-    return std::unexpected(std::move(bytes.error()));
-  }
-  return parseCampaignCsv(std::move(*bytes), inputName(path), inputFileName(path));
-}
-
-Result<Campaign> parseCampaignCsv(std::string bytes, const std::string& name, const std::string& fileName) {
+/// The whole of a text at a time: the order in which the checks come is that of the file's faults as they are told.
+Result<Campaign> parseWhole(std::string bytes, const std::string& name, const std::string& fileName) {
   Campaign campaign;
   campaign.name = fileName;
   campaign.sha256 = sha256Hex(bytes);
@@ -195,15 +46,100 @@ Result<Campaign> parseCampaignCsv(std::string bytes, const std::string& name, co
     return std::unexpected(layout.error());
   }
   campaign.rows.reserve(table->rows());
-  RowReader reader(*table, *layout);
-  for (std::size_t index = 0; index < table->rows(); ++index) {
-    auto row = reader.read(index);
-    if (!row) {
-      return std::unexpected(std::move(row.error()));
-    }
-    campaign.rows.push_back(*row);
+  if (auto done = addRows(*table, *layout, campaign.rows); !done) {
+    return std::unexpected(std::move(done.error()));
   }
   return campaign;
+}
+
+/// Replaces a block by the next whole lines; false at the end.
+using NextLines = std::function<Result<bool>(std::string& block)>;
+
+/// The same a block of lines at a time: text and cells of a block stay in the caches, and of a long campaign only the
+/// rows are in memory. Nothing where anything is wrong with the text of `size` bytes: parseWhole() tells what it is.
+std::optional<Campaign> readInBlocks(const NextLines& next, std::size_t size, const std::string& name) {
+  Campaign campaign;
+  Sha256 sum;
+  std::string block;
+  if (!next(block).value_or(false)) {
+    return std::nullopt;
+  }
+  std::size_t bytesRead = block.size();
+  sum.add(block);
+  auto table = CsvTable::parse(block, name);
+  if (!table || (bytesRead < size && table->rows() < csvSampledLines)) {
+    return std::nullopt;
+  }
+  const auto layout = findColumns(*table);
+  if (!layout) {
+    return std::nullopt;
+  }
+  const std::size_t expected = table->rows() * size / bytesRead;
+  campaign.rows.reserve(expected + expected / 8);
+  while (true) {
+    if (!addRows(*table, *layout, campaign.rows)) {
+      return std::nullopt;
+    }
+    const auto more = next(block);
+    if (!more || !*more) {
+      break;
+    }
+    bytesRead += block.size();
+    sum.add(block);
+    if (!table->readOn(block)) {
+      return std::nullopt;
+    }
+  }
+  if (bytesRead != size) {
+    return std::nullopt;
+  }
+  campaign.sha256 = sum.hex();
+  return campaign;
+}
+
+std::optional<Campaign> readFileInBlocks(const std::string& path) {
+  auto file = InputFile::open(path);
+  const std::size_t size = file ? file->sizeIfKnown() : 0;
+  if (path == "-" || size == 0 || size > longestInput) { // what cannot be read twice is read whole
+    return std::nullopt;
+  }
+  LineBlocks blocks(*std::move(file), blockSize);
+  auto campaign = readInBlocks([&blocks](std::string& block) { return blocks.next(block); }, size, inputName(path));
+  if (campaign) {
+    campaign->name = inputFileName(path);
+  }
+  return campaign;
+}
+
+/// Moves the first lines of a text to `block`, about as many as readFileInBlocks() takes; false at the end.
+bool takeLines(std::string_view& rest, std::string& block) {
+  const std::size_t newline = rest.size() > blockSize ? rest.find('\n', blockSize) : std::string_view::npos;
+  block = rest.substr(0, newline == std::string_view::npos ? newline : newline + 1);
+  rest.remove_prefix(block.size());
+  return !block.empty();
+}
+
+} // namespace
+
+Result<Campaign> readCampaignCsv(const std::string& path) {
+  if (auto campaign = readFileInBlocks(path)) {
+    return *std::move(campaign);
+  }
+  auto bytes = readFileBytes(path);
+  if (!bytes) {
+    return std::unexpected(std::move(bytes.error()));
+  }
+  return parseCampaignCsv(std::move(*bytes), inputName(path), inputFileName(path));
+}
+
+Result<Campaign> parseCampaignCsv(std::string bytes, const std::string& name, const std::string& fileName) {
+  std::string_view rest = bytes;
+  const NextLines next = [&rest](std::string& block) -> Result<bool> { return takeLines(rest, block); };
+  if (auto campaign = readInBlocks(next, bytes.size(), name)) {
+    campaign->name = fileName;
+    return *std::move(campaign);
+  }
+  return parseWhole(std::move(bytes), name, fileName);
 }
 
 std::string campaignCsv(const Campaign& campaign) {

@@ -18,6 +18,10 @@ std::string lowered(std::string_view text) {
 } // namespace
 
 std::optional<Axis> parseAxis(std::string_view text) {
+  const auto* const direct = std::ranges::find(allAxes, text, axisName);
+  if (direct != allAxes.end()) {
+    return *direct;
+  }
   const std::string word = lowered(text);
   const auto* const found = std::ranges::find(allAxes, word, axisName);
   return found == allAxes.end() ? std::nullopt : std::optional(*found);

@@ -23,6 +23,8 @@ void gather(const std::vector<CampaignRow>& rows, const std::vector<std::size_t>
   }
   part.rawT.resize(count, 3);
   part.line.resize(chosen.size());
+  const bool oriented = needsOf(part.step).orientation;
+  part.orientation.reserve(oriented ? chosen.size() : 0);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const CampaignRow& row = rows[chosen[i]];
     const auto at = static_cast<Eigen::Index>(i);
@@ -33,7 +35,7 @@ void gather(const std::vector<CampaignRow>& rows, const std::vector<std::size_t>
     part.timeS[at] = row.timeS;
     part.rawT.row(at) << row.rawT[0], row.rawT[1], row.rawT[2];
     part.line[i] = row.line;
-    if (needsOf(part.step).orientation) {
+    if (oriented) {
       part.orientation.push_back(*row.orientation);
     }
   }

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace straightedge::cli {
@@ -116,6 +117,54 @@ TEST_F(FieldCorrectionStream, rowsThatCannotBeCorrected) {
   }
   EXPECT_EQ(refused(readings + "109,24,1,1\n"),
             "r.csv:302: the row has 4 columns instead of 5; check the row and the separator");
+}
+
+/// Most numbers are plain digits and are read by a shorter way; the others come to the same.
+TEST_F(FieldCorrectionStream, aNumberIsTheSameHoweverItIsWritten) {
+  const std::string added = cells({109.25, 24.5, {1.5, -0.25, 0.125}});
+  std::string readings = "note," + header + ",id\n";
+  std::string expected = "note," + header + ",id,x_T,y_T,z_T\n";
+  for (const std::string row : {
+           "a,109.25,24.5,1.5,-0.25,0.125,7",
+           "a,+109.25, 24.5,1.5\t,-25e-2,12.5e-2,7",
+           "a,\"109.25\",24.5,\" 1.5\",-0.25,.125,7",
+           "\"a, b\",109.25,24.5,1.5,-0.25,0.125,7",
+           "a,109.25,24.5,1.5,-0.25,0.125,\"7, 8\"",
+           "a,109.2500000000000000000000,00024.5,1.50,-0.2500000000000000000,0.125,7",
+           "a,109.25,24.5,1.5,-0.25,0.125000000000000000001,7",
+           "a,109.25,24.5,1.5,-0.25,0.125,",
+           ",109.25,24.5,1.5,-0.25,0.125,7",
+       }) {
+    readings += row + "\n";
+    expected += row + added + "\n";
+  }
+  EXPECT_EQ(corrected(readings), expected);
+  readings = header + "\n";
+  for (int i = 0; i < 300; ++i) { // beyond the rows that the layout is found in
+    readings += "109.25,24.5,1.5,-0.25,0.125\n";
+  }
+  EXPECT_EQ(refused(readings + "109.25,24.5,1.5,-0.25,0.125,7\n"),
+            "r.csv:302: the row has 6 columns instead of 5; check the row and the separator");
+  EXPECT_EQ(refused(readings + "109.25,24.5,1.5,-0.25,0.1.25\n"),
+            "r.csv:302: the raw_z_T is \"0.1.25\", which is no number; correct it or remove the row");
+}
+
+/// Lines are worked on some hundreds at a time: what stands between the rows changes nothing.
+TEST_F(FieldCorrectionStream, rowsAmongOtherLinesKeepTheirCells) {
+  std::string readings = header + "\n";
+  std::string expected = header + ",x_T,y_T,z_T\n";
+  constexpr int rows = 1700;
+  for (int i = 0; i < rows; ++i) {
+    const double x = 0.001 * i;
+    const std::string row = "109.25,24.5," + formatDouble(x) + ",-0.25,0.125";
+    const std::string between = i % 7 == 0 ? "# pause\n" : i % 11 == 0 ? "\n" : "";
+    readings += between + row + "\n" + (i % 13 == 0 ? ",,,,\n" : "");
+    expected += between + row + cells({109.25, 24.5, {x, -0.25, 0.125}}) + "\n" + (i % 13 == 0 ? ",,,,,,,\n" : "");
+  }
+  EXPECT_TRUE(corrected(readings) == expected);
+  const auto lines = std::ranges::count(readings, '\n');
+  EXPECT_EQ(refused(readings + "109.25,24.5,inf,0,0\n"),
+            "r.csv:" + std::to_string(lines + 1) + ": the raw_x_T is inf; correct it or remove the row");
 }
 
 /// More than one block of 256 KiB: every row once, in order.

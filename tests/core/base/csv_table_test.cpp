@@ -69,6 +69,37 @@ TEST(CsvTable, IntegersThenDecimalCommas) {
   EXPECT_EQ(table->number(1, 1), 2.5);
 }
 
+TEST(CsvTable, ReadsOnWithTheSameColumnsAndLineNumbers) {
+  auto table = parse("\xEF\xBB\xBF# made by hand\na;\"b \"\"c\"\"\"\n0;1\n");
+  ASSERT_TRUE(table) << table.error().message();
+  std::string next = "2;3\r\n\n# pause\n\"4\";5;\n";
+  ASSERT_TRUE(table->readOn(next));
+  EXPECT_EQ(table->title(1), "b \"c\"");
+  ASSERT_EQ(table->rows(), 2U);
+  EXPECT_EQ(table->number(0, 1), 3.0);
+  EXPECT_EQ(table->where(0), "t.csv:4");
+  EXPECT_EQ(table->cell(1, 0), "4");
+  EXPECT_EQ(table->where(1), "t.csv:7");
+  next = "# nothing else\n";
+  ASSERT_TRUE(table->readOn(next));
+  EXPECT_EQ(table->rows(), 0U);
+  next = "6;7.5\n";
+  ASSERT_TRUE(table->readOn(next));
+  EXPECT_EQ(table->number(0, 1), 7.5);
+  EXPECT_EQ(table->where(0), "t.csv:9");
+}
+
+TEST(CsvTable, DoesNotReadOnWhereTheTextIsNotWhatItSeemed) {
+  for (std::string next : {"1\n", "1;2;3\n", "1;\"2\n", "1;2,5\n"}) {
+    auto table = parse("a;b\n0;1\n");
+    ASSERT_TRUE(table);
+    EXPECT_FALSE(table->readOn(next)) << table->cell(0, 0);
+  }
+  auto table = parse("a;b\n0;1\n");
+  std::string control("1;2\0\n", 5);
+  EXPECT_FALSE(table->readOn(control));
+}
+
 struct OddFile {
   std::string name;
   std::string text;

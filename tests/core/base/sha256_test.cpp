@@ -13,5 +13,13 @@ TEST(Sha256, PublishedExamples) {
             "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
 }
 
+TEST(Sha256, InPiecesAsAtOnce) {
+  Sha256 sum;
+  for (const char* piece : {"", "a", "", "bc"}) {
+    sum.add(piece);
+  }
+  EXPECT_EQ(sum.hex(), sha256Hex("abc"));
+}
+
 } // namespace
 } // namespace straightedge

@@ -1,8 +1,11 @@
+#include "core/base/sha256.h"
 #include "core/field/campaign_csv.h"
+#include "tests/core/base/temporary_folder.h"
 #include "tests/core/field/example_campaign.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace straightedge::field {
@@ -111,6 +114,87 @@ const std::vector<BadFile> badFiles = {
      "c.csv:3: pt100_ohm holds \"-5\"; give the resistance in ohms, or leave the cell empty"},
     {"Short", good + "offset,,,\n", "c.csv:3: the row has 4 columns instead of 11; check the row and the separator"},
 };
+
+/// Rows that fill several of the blocks that a file is read by.
+std::string manyRows(const std::string& first, const std::string& row, int count) {
+  std::string text = first;
+  for (int i = 0; i < count; ++i) {
+    text += row;
+  }
+  return text;
+}
+
+/// The campaign in `text`, read from a file and from memory alike.
+Result<Campaign> readBoth(const std::string& text) {
+  const testing::TemporaryFolder folder;
+  auto fromFile = readCampaignCsv(folder.write("c.csv", text));
+  const auto fromMemory = parse(text);
+  EXPECT_EQ(fromFile.has_value(), fromMemory.has_value());
+  if (fromFile && fromMemory) {
+    EXPECT_EQ(fromFile->name, "c.csv");
+    EXPECT_EQ(fromFile->sha256, fromMemory->sha256);
+    EXPECT_TRUE(campaignCsv(*fromFile) == campaignCsv(*fromMemory)); // megabytes: not shown
+  } else if (!fromFile && !fromMemory) {
+    EXPECT_EQ(fromFile.error().message(), folder.path() + "/" + fromMemory.error().message());
+  }
+  return fromMemory;
+}
+
+TEST(CampaignCsv, ALongFileIsReadToItsEnd) {
+  // Comments, blank lines and a row without its newline among 40,000 numbered rows of two megabytes.
+  std::string text = "\xEF\xBB\xBF" + header;
+  for (int i = 0; i < 40'000; ++i) {
+    text += i % 1000 == 0 ? "# " + std::to_string(i) + "\r\n\r\n" : "";
+    text += "offset,,,,,,109.2345,,0.0001234,-0.00567,0." + std::to_string(100'000 + i) + "\r\n";
+  }
+  text.resize(text.size() - 2);
+  const auto read = readBoth(text);
+  ASSERT_TRUE(read) << read.error().message();
+  ASSERT_EQ(read->rows.size(), 40'000U);
+  EXPECT_EQ(read->sha256, sha256Hex(text));
+  for (int i = 0; i < 40'000; ++i) {
+    const CampaignRow& row = read->rows[static_cast<std::size_t>(i)];
+    ASSERT_DOUBLE_EQ(row.rawT[2], 0.1 + 1e-6 * i);
+    ASSERT_EQ(row.line, 2 + i + 2 * (i / 1000 + 1));
+  }
+}
+
+TEST(CampaignCsv, DecimalCommasMayComeLate) {
+  const std::string first = "step;pt100_ohm;raw_x_T;raw_y_T;raw_z_T\n";
+  const auto read = readBoth(manyRows(first, "offset;109;0;0;0\n", 20'000) + "offset;109,5;0;0;0\n");
+  ASSERT_TRUE(read) << read.error().message();
+  ASSERT_EQ(read->rows.size(), 20'001U);
+  EXPECT_EQ(read->rows.back().pt100Ohm, 109.5);
+}
+
+TEST(CampaignCsv, ALongFileMayEndItsLinesWithReturns) {
+  std::string text = manyRows(header, "offset,,,,,,109.2345,,0.0001234,-0.00567,0.1\n", 40'000);
+  std::ranges::replace(text, '\n', '\r');
+  const auto read = readBoth(text);
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_EQ(read->rows.size(), 40'000U);
+}
+
+TEST(CampaignCsv, AHeaderMayComeAfterALongStory) {
+  const auto read = readBoth(manyRows("", "# told at length; and again, and again\n", 20'000) + header +
+                             "offset,,,,,,109.2,,1e-5,0,0\n");
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_EQ(read->rows.back().line, 20'002);
+}
+
+TEST(CampaignCsv, ALongFilesFaultsAreToldByRankAndLine) {
+  const std::string row = "offset,,,,,,109.2345,,0.0001234,-0.00567,0.1\n";
+  const std::string badCell = "offset,,,,,,high,,0,0,0\n";
+  std::string text = manyRows(header, row, 9001) + badCell + row;
+  EXPECT_EQ(readBoth(text).error().message(),
+            "c.csv:9003: pt100_ohm holds \"high\"; write a finite number, or remove the row");
+  text = manyRows(text, row, 9000) + "offset,,,\n";
+  EXPECT_EQ(readBoth(text).error().message(),
+            "c.csv:18005: the row has 4 columns instead of 11; check the row and the separator");
+  text = manyRows(text, row, 9000) + std::string("\0\n", 2);
+  EXPECT_EQ(readBoth(text).error().message(),
+            "c.csv:27006: the file is not text: it holds the byte 0x00; name a CSV file");
+}
 
 class CampaignCsvRefuses : public ::testing::TestWithParam<BadFile> {};
 
