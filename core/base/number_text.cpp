@@ -1,7 +1,6 @@
 #include "core/base/number_text.h"
 
 #include "core/base/plain_number.h"
-#include "core/base/shortest_decimal.h"
 
 #include <array>
 #include <charconv>
@@ -35,10 +34,7 @@ std::string formatDouble(double value) {
   return {buffer.data(), formatDouble(value, buffer.data())};
 }
 
-char* formatDouble(double value, char* out) {
-  char* const end = formatEveryday(value, out);
-  return end != nullptr ? end : std::to_chars(out, out + longestDoubleText, value).ptr;
-}
+char* formatDouble(double value, char* out) { return std::to_chars(out, out + longestDoubleText, value).ptr; }
 
 std::string formatForPeople(double value, int digits) {
   std::array<char, 64> buffer{};
