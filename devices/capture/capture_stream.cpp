@@ -153,6 +153,9 @@ CaptureWorker::Step<void> CaptureWorker::storeStream(const StreamBlock& block, S
   if (auto stored = store(std::move(samples)); !stored) {
     return stored;
   }
+  if (!block.samples.empty()) { // what belongs to nothing was read all the same: the shaft stands there now
+    m_zero.seen(block.samples.back().encoderDeg);
+  }
   publishProgress();
   return {};
 }

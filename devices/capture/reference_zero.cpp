@@ -20,6 +20,12 @@ std::string degrees(double angleDeg) { return formatForPeople(angleDeg) + "°"; 
 
 } // namespace
 
+void ReferenceZero::seen(double encoderDeg) {
+  if (std::isfinite(encoderDeg)) {
+    m_seenDeg = encoderDeg;
+  }
+}
+
 void ReferenceZero::stored(const session::AngleSample& sample) {
   m_last = sample;
   m_seenDeg = sample.encoderDeg;

@@ -27,7 +27,7 @@ public:
   explicit ReferenceZero(const AngleReference& reference) : m_reference(reference) {}
 
   void takeUp(const session::AngleSample& last) { m_last = last; } ///< the sweep has samples of an earlier run
-  void seen(double encoderDeg) { m_seenDeg = encoderDeg; }         ///< a reading that was not in doubt
+  void seen(double encoderDeg); ///< a reading that was not in doubt, whether it is stored or not; NaN is none
   void stored(const session::AngleSample& sample);
 
   bool inDoubt() const;

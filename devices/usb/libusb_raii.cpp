@@ -1,5 +1,7 @@
 #include "devices/usb/libusb_raii.h"
 
+#include "devices/usb/access_remedy.h"
+
 namespace straightedge::devices {
 
 namespace {
@@ -12,7 +14,7 @@ struct FaultText {
 FaultText textOf(UsbFault fault) {
   switch (fault) {
   case UsbFault::AccessDenied:
-    return {"access to the USB device is denied", "run: installer/run --udev, then plug the device in again"};
+    return {"access to the USB device is denied", accessRemedy()};
   case UsbFault::Busy:
     return {"another program has the USB device open", "close the program that uses it, then try again"};
   case UsbFault::Gone:

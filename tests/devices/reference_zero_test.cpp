@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 namespace straightedge::devices {
 namespace {
 
@@ -59,6 +61,14 @@ TEST_F(ReferenceZeroTest, AShaftThatStoodStillHasToReadTheSameWithinOneAndAHalfC
               HasSubstr("the encoder reads 0.000° and read 95.15° before it was unplugged; if only "
                         "the shaft was moved, turn it back to the last reading at 90.00°"));
   EXPECT_TRUE(m_zero.inDoubt());
+}
+
+TEST_F(ReferenceZeroTest, WhatIsNoAngleIsNotWhatWasReadLast) {
+  m_zero.stored(sampleAt(90.0, 110.0));
+  m_zero.seen(std::nan(""));
+  m_encoder.opened = 2;
+  EXPECT_NE(message(0.0, 20.0), "");
+  EXPECT_EQ(message(90.0, 110.0), "");
 }
 
 TEST_F(ReferenceZeroTest, AFineEncoderMayMoveAsFarAsAShaftThatCountsAsStill) {

@@ -15,6 +15,7 @@
 #include <map>
 #include <semaphore>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace straightedge::devices {
@@ -86,6 +87,7 @@ public:
 
   Result<void> start(const StreamRequest& request) override {
     requests.push_back(request);
+    m_angleDeg -= std::exchange(m_turnsBackDeg, 0.0);
     return {};
   }
   Result<StreamBlock> read() override {
@@ -109,11 +111,15 @@ public:
   std::optional<TransportFault> lastFault() const override { return fault; }
   Result<bool> restore() override {
     fault.reset();
-    m_angleDeg -= 60.0; // turned back meanwhile
+    ++opened;
+    m_turnsBackDeg = 60.0; // before it is gone on with
     return true;
   }
+  void turn(double byDeg) { m_angleDeg += byDeg; }
+  double angleDeg() const { return m_angleDeg; }
 
   std::vector<StreamRequest> requests;
+  int opened = 1;
   int stops = 0;
   std::optional<TransportFault> fault;
 
@@ -121,6 +127,7 @@ private:
   static double wrapped(double angleDeg) { return angleDeg - 360.0 * std::floor(angleDeg / 360.0); }
 
   double m_angleDeg;
+  double m_turnsBackDeg = 0.0;
   double m_timeS = 0.0;
   int m_blocks = 0;
   std::map<int, Hook> m_hooks;
@@ -131,12 +138,21 @@ struct NoAngle : AngleSensor, AngleReference {
   Result<TimedReading> readDeg() override { return fail(ErrorKind::Instrument, "no single readings here", ""); }
 };
 
+/// Counts from where it was switched on, and can be read singly while the stream stands.
+struct CountingAngle : NoAngle {
+  explicit CountingAngle(const HandTurnedStream& turned) : shaft(turned) {}
+  Result<TimedReading> readDeg() override { return TimedReading{shaft.angleDeg(), 0.0}; }
+  std::optional<double> incrementDeg() const override { return 0.01; }
+  int timesOpened() const override { return shaft.opened; }
+  const HandTurnedStream& shaft;
+};
+
 class StreamCapture : public testing::Test {
 protected:
   AngleBench bench() {
     return {.name = "desk",
-            .sensor = &m_none,
-            .reference = &m_none,
+            .sensor = m_angle,
+            .reference = m_angle,
             .stage = nullptr,
             .thermometer = nullptr,
             .stream = &m_stream,
@@ -169,6 +185,7 @@ protected:
 
   VirtualClock m_clock;
   NoAngle m_none;
+  NoAngle* m_angle = &m_none;
   HandTurnedStream m_stream{-20.05};
   tests::MemorySink m_sink;
   std::vector<std::string> m_notes;
@@ -259,6 +276,23 @@ TEST_F(StreamCapture, UnpluggedInTheMiddleItKeepsAllAndPassesTheBrokenSectorAgai
   }
   EXPECT_THAT(perSector, testing::Each(300));
   EXPECT_EQ(firstTry[4], 95) << "what came before the fault is kept";
+}
+
+TEST_F(StreamCapture, AnEncoderThatIsBackIsComparedWithWhatItReadLastAlsoWhereThatWasNotStored) {
+  CountingAngle counting(m_stream);
+  m_angle = &counting;
+  m_stream.at(300, [this](StreamBlock&) -> Result<void> {
+    m_stream.turn(-3.0); // the five samples after this one lie behind the farthest: they belong to nothing
+    return {};
+  });
+  m_stream.at(302, [this](StreamBlock&) -> Result<void> {
+    m_stream.turn(-0.5); // the shaft stands where it was read last
+    m_stream.fault = TransportFault::Gone;
+    return fail(ErrorKind::Instrument, "the instrument is gone", "plug it in again");
+  });
+  const auto progress = captured(m_plan);
+  EXPECT_EQ(progress.state, CaptureState::Finished) << (progress.error ? progress.error->message() : "");
+  EXPECT_EQ(m_stream.opened, 2);
 }
 
 TEST_F(StreamCapture, SilenceIsTriedAgainAsThePlanSaysAndThenTold) {

@@ -2,7 +2,6 @@
 
 #include "app/gui/document/angle_document.h"
 #include "app/gui/document/captured_sweep.h"
-#include "app/gui/document/live_reader.h"
 
 namespace straightedge::gui {
 
@@ -52,18 +51,16 @@ Result<void> BenchLink::connectBench(devices::AngleBench bench, std::shared_ptr<
   return {};
 }
 
-std::unique_ptr<QObject> BenchLink::makeReader() {
-  auto made = std::make_unique<LiveReader>(m_bench);
-  connect(made.get(), &LiveReader::reading, this, &BenchLink::liveReading);
-  connect(made.get(), &LiveReader::failed, this, &BenchLink::failed);
-  return made;
+void BenchLink::connectReader(const LiveReader& reader) {
+  connect(&reader, &LiveReader::reading, this, &BenchLink::liveReading);
+  connect(&reader, &LiveReader::failed, this, &BenchLink::failed);
 }
 
 bool BenchLink::canMoveShaft() const { return reader() != nullptr && m_bench.stage != nullptr; }
 
 void BenchLink::moveShaftTo(double encoderDeg) {
   if (canMoveShaft()) {
-    static_cast<LiveReader*>(reader())->moveShaftTo(encoderDeg);
+    reader()->moveShaftTo(encoderDeg);
   }
 }
 

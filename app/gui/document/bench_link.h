@@ -2,13 +2,13 @@
 #pragma once
 
 #include "app/gui/document/bench_link_of.h"
+#include "app/gui/document/live_reader.h"
 #include "devices/capture/angle_capture.h"
 #include "devices/simulated/simulated_angle_bench.h"
 
 namespace straightedge::gui {
 
 class AngleDocument;
-class LiveReader;
 
 /// What an angle capture is made of.
 struct AngleCaptureKind {
@@ -18,6 +18,7 @@ struct AngleCaptureKind {
   using Sink = session::SampleSink;
   using Capture = devices::AngleCapture;
   using Progress = devices::CaptureProgress;
+  using Reader = LiveReader;
   static auto samples(const session::Session& session, session::SweepRole role) { return session.angleSamples(role); }
   static auto sampleCount(const session::Session& session, session::SweepRole role) {
     return session.angleSampleCount(role);
@@ -54,7 +55,7 @@ signals:
   void liveReading(double encoderDeg, double sensorDeg); ///< about 20 times a second
 
 private:
-  std::unique_ptr<QObject> makeReader() override;
+  void connectReader(const LiveReader& reader) override;
   void takeSamplesIn(session::SweepRole role) override;
 
   AngleDocument& m_document;

@@ -11,14 +11,15 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace straightedge::gui {
 
-/// `Kind` names the types Bench, Plan, Sample, Sink, Capture and Progress, and says how the session keeps samples and
-/// record (see AngleCaptureKind). GUI thread; talks to instruments only through the capture thread, or a reader while
-/// idle.
+/// `Kind` names the types Bench, Plan, Sample, Sink, Capture, Progress and Reader, and says how the session keeps
+/// samples and record (see AngleCaptureKind). GUI thread; talks to instruments only through the capture thread, or a
+/// reader while idle.
 template <typename Kind>
 class BenchLinkOf : public CaptureLink {
 public:
@@ -26,6 +27,7 @@ public:
   using Plan = typename Kind::Plan;
   using Sample = typename Kind::Sample;
   using Progress = typename Kind::Progress;
+  using Reader = typename Kind::Reader;
 
   bool isConnected() const override { return m_bench.clock != nullptr; }
   QString benchName() const override { return QString::fromStdString(m_bench.name); }
@@ -60,10 +62,10 @@ protected:
   void take(const Bench& bench, std::shared_ptr<void> owner, std::vector<BenchInstrument> instruments);
   Result<void> beginCapture(const Plan& plan, session::SweepRole role, bool resume, std::optional<int> redo);
   void finishLife(); ///< for the destructor of the derived class, on whose parts reader and capture may call
-  QObject* reader() const { return m_reader.get(); }
+  Reader* reader() const { return m_reader.get(); } ///< null while the idle bench is not read
 
-  /// Reads the idle bench in a thread of its own.
-  virtual std::unique_ptr<QObject> makeReader() = 0;
+  /// Its signals go on to the derived class's.
+  virtual void connectReader(const Reader& reader) = 0;
   /// The last thing before the first sample: documents beside the samples, the bench that goes on with them.
   virtual Result<void> prepareCapture(session::Session& /*session*/, bool /*resume*/, std::size_t /*samplesAlready*/) {
     return {};
@@ -85,11 +87,11 @@ private:
   void updateLiveReading();
 
   bool m_liveWanted = false;
-  std::unique_ptr<QObject> m_reader;
+  std::unique_ptr<Reader> m_reader; ///< reads the idle bench in a thread of its own
   session::SweepRole m_role = session::SweepRole::Calibration;
   std::vector<Sample> m_live;
   Progress m_progress;
-  bool m_faultShown = false;
+  std::string m_faultTold; ///< message; empty while there is none
   QTimer m_frame;
 };
 
@@ -153,7 +155,8 @@ void BenchLinkOf<Kind>::updateLiveReading() {
   if (!m_liveWanted || !isConnected() || ownerReads || isCapturing()) {
     m_reader.reset();
   } else if (!m_reader) {
-    m_reader = makeReader();
+    m_reader = std::make_unique<Reader>(m_bench);
+    connectReader(*m_reader);
   }
 }
 
@@ -210,9 +213,10 @@ Result<void> BenchLinkOf<Kind>::beginCapture(const Plan& plan, session::SweepRol
   if (redo) { // of a capture that is complete: it ends again after this
     m_capture->redo(*redo);
   }
-  m_faultShown = false;
+  m_faultTold.clear();
   m_live = std::move(already);
   m_progress = m_capture->progress();
+  m_progress.state = devices::CaptureState::Running; // what it has come to meanwhile is told with the first frame
   m_frame.start();
   emit samplesArrived(0);
   emit progressChanged();
@@ -229,7 +233,7 @@ void BenchLinkOf<Kind>::pauseCapture() {
 template <typename Kind>
 void BenchLinkOf<Kind>::resumeCapture() {
   if (m_capture) {
-    m_faultShown = false;
+    m_faultTold.clear();
     m_capture->resume();
   }
 }
@@ -284,11 +288,10 @@ void BenchLinkOf<Kind>::onFrame() {
     m_live.insert(m_live.end(), fresh.begin(), fresh.end());
     emit samplesArrived(firstNew);
   }
-  if (!m_progress.error) {
-    m_faultShown = false; // an instrument is back, and may leave again
-  } else if (!m_faultShown) {
-    m_faultShown = true;
-    emit failed(QString::fromStdString(m_progress.error->message()));
+  // Told once; again where it is another one, or came back: an instrument may be back and not be what it was.
+  const std::string fault = m_progress.error ? m_progress.error->message() : std::string();
+  if (std::exchange(m_faultTold, fault) != fault && !fault.empty()) {
+    emit failed(QString::fromStdString(fault));
   }
   if (!isCapturing()) {
     endCapture();

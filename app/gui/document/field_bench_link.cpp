@@ -87,18 +87,16 @@ Result<void> FieldBenchLink::connectBench(devices::FieldBench bench, std::shared
   return {};
 }
 
-std::unique_ptr<QObject> FieldBenchLink::makeReader() {
-  auto made = std::make_unique<FieldLiveReader>(m_bench);
-  connect(made.get(), &FieldLiveReader::reading, this, &FieldBenchLink::liveReading);
-  connect(made.get(), &FieldLiveReader::failed, this, &FieldBenchLink::failed);
-  return made;
+void FieldBenchLink::connectReader(const FieldLiveReader& reader) {
+  connect(&reader, &FieldLiveReader::reading, this, &FieldBenchLink::liveReading);
+  connect(&reader, &FieldLiveReader::failed, this, &FieldBenchLink::failed);
 }
 
 bool FieldBenchLink::canSetField() const { return reader() != nullptr && m_bench.magnet != nullptr; }
 
 void FieldBenchLink::setFieldT(double fieldT) {
   if (canSetField()) {
-    static_cast<FieldLiveReader*>(reader())->setFieldT(fieldT);
+    reader()->setFieldT(fieldT);
   }
 }
 
@@ -106,7 +104,7 @@ bool FieldBenchLink::canPlaceProbe() const { return reader() != nullptr && m_ben
 
 void FieldBenchLink::placeProbe(devices::ProbePlacement placing) {
   if (canPlaceProbe()) {
-    static_cast<FieldLiveReader*>(reader())->placeProbe(placing);
+    reader()->placeProbe(placing);
   }
 }
 

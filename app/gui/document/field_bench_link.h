@@ -18,6 +18,7 @@ struct FieldCaptureKind {
   using Sink = session::FieldSampleSink;
   using Capture = devices::FieldCapture;
   using Progress = devices::FieldCaptureProgress;
+  using Reader = FieldLiveReader;
   static auto samples(const session::Session& session, session::SweepRole role) { return session.fieldSamples(role); }
   static auto sampleCount(const session::Session& session, session::SweepRole role) {
     return session.fieldSampleCount(role);
@@ -64,7 +65,7 @@ signals:
   void liveReading(const straightedge::gui::FieldLiveReading& reading); ///< about 10 times a second
 
 private:
-  std::unique_ptr<QObject> makeReader() override;
+  void connectReader(const FieldLiveReader& reader) override;
   Result<void> prepareCapture(session::Session& session, bool resume, std::size_t samplesAlready) override;
   Result<void> renewSimulated(session::Session& session, bool resume, std::size_t samplesAlready);
   void takeSamplesIn(session::SweepRole role) override;

@@ -2,20 +2,17 @@
 
 #include "app/gui/field_steps/field_plan_form.h"
 #include "app/gui/field_steps/stage_list.h"
-#include "app/gui/steps/notice_list.h"
+#include "app/gui/steps/capture_column.h"
+#include "app/gui/steps/capture_wiring.h"
 
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QSplitter>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <utility>
 
 namespace straightedge::gui {
@@ -27,12 +24,6 @@ constexpr int framesPerTurn = 6;
 constexpr int turnOfMainPlot = 1;
 constexpr int turnOfTimePlot = 3;
 constexpr int turnOfStages = 5;
-
-QPushButton* captureButton(QWidget* parent, const QString& text, const QString& name) {
-  auto* made = new QPushButton(text, parent);
-  made->setObjectName(name);
-  return made;
-}
 
 QLabel* captureLabel(QWidget* parent, const QString& name) {
   auto* made = new QLabel(parent);
@@ -54,24 +45,11 @@ FieldCaptureStep::FieldCaptureStep(FieldStepContext context, QWidget* parent)
   auto* page = new QVBoxLayout(this);
   m_notices = new NoticeList(this);
   page->addWidget(m_notices);
-  auto* column = new QWidget;
-  auto* columnLayout = new QVBoxLayout(column);
-  columnLayout->setContentsMargins(0, 0, 0, 0);
-  columnLayout->setSpacing(12);
-  columnLayout->addWidget(makeGuide());
   QWidget* plan = makePlanBox();
-  columnLayout->addWidget(plan);
-  columnLayout->addStretch(1);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(column);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFixedWidth(std::max(fontMetrics().averageCharWidth() * 52,
-                                 plan->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width()));
+  auto* column = new CaptureColumn({makeGuide(), plan}, *plan, CaptureColumn::Rest::Empty, this);
   auto* columns = new QHBoxLayout;
   columns->setSpacing(16);
-  columns->addWidget(scroll);
+  columns->addWidget(column);
   columns->addWidget(makeWork(), 1);
   page->addLayout(columns, 1);
   connectPresenter();
@@ -108,7 +86,8 @@ QWidget* FieldCaptureStep::makeGuide() {
   QFont large = bold;
   large.setPointSizeF(large.pointSizeF() * 1.25);
   m_instruction->setFont(large);
-  m_confirm = captureButton(m_guide, tr("&Done, go on"), QStringLiteral("confirmStage"));
+  m_confirm = new QPushButton(tr("&Done, go on"), m_guide);
+  m_confirm->setObjectName(QStringLiteral("confirmStage"));
   m_confirm->setFont(large);
   m_confirm->setMinimumHeight(m_confirm->fontMetrics().height() * 2);
   m_action = captureLabel(m_guide, QStringLiteral("stageAction"));
@@ -123,19 +102,8 @@ QWidget* FieldCaptureStep::makeGuide() {
                                                        m_progress, m_progressText, m_rowsText}) {
     layout->addWidget(each);
   }
-  m_start = captureButton(m_guide, tr("&Start"), QStringLiteral("startCapture"));
-  m_continue = captureButton(m_guide, tr("&Go on"), QStringLiteral("continueCapture"));
-  m_pause = captureButton(m_guide, tr("&Pause"), QStringLiteral("pauseCapture"));
-  m_stop = captureButton(m_guide, tr("S&top"), QStringLiteral("stopCapture"));
-  m_connect = captureButton(m_guide, tr("Go to Connect"), QStringLiteral("goToConnect"));
-  m_next = captureButton(m_guide, {}, QStringLiteral("goOn"));
-  auto* buttons = new QHBoxLayout;
-  for (QPushButton* each : {m_continue, m_start, m_pause, m_stop, m_connect}) {
-    buttons->addWidget(each);
-  }
-  buttons->addStretch(1);
-  buttons->addWidget(m_next);
-  layout->addLayout(buttons);
+  m_buttons = new CaptureButtons(m_guide);
+  layout->addWidget(m_buttons);
   return m_guide;
 }
 
@@ -181,18 +149,8 @@ void FieldCaptureStep::connectPresenter() {
   });
   connect(m_plan, &FieldPlanForm::planEdited, this, [this] { m_presenter.setPlan(m_plan->plan()); });
   connect(m_confirm, &QPushButton::clicked, &m_presenter, &FieldCapturePresenter::confirm);
-  connect(m_start, &QPushButton::clicked, this, &FieldCaptureStep::start);
-  connect(m_continue, &QPushButton::clicked, &m_presenter, &FieldCapturePresenter::continueInterrupted);
-  connect(m_pause, &QPushButton::clicked, this, [this] {
-    if (m_presenter.canResume()) {
-      m_presenter.resume();
-    } else {
-      m_presenter.pause();
-    }
-  });
-  connect(m_stop, &QPushButton::clicked, &m_presenter, &FieldCapturePresenter::stop);
-  connect(m_connect, &QPushButton::clicked, this, [this] { emit goToStep(tr("Connect")); });
-  connect(m_next, &QPushButton::clicked, this, [this] { emit goToStep(m_presenter.nextStep()); });
+  wireCaptureButtons(*this, m_presenter, *m_buttons,
+                     {.title = tr("Replace the campaign?"), .objectName = QStringLiteral("replaceCampaign")});
 }
 
 void FieldCaptureStep::connectStages() {
@@ -206,21 +164,6 @@ void FieldCaptureStep::leaveOut(const QList<int>& stages, bool out) {
   for (const int stage : stages) {
     m_presenter.leaveOut(stage, out);
   }
-}
-
-void FieldCaptureStep::start() {
-  if (!m_presenter.startReplacesData()) {
-    m_presenter.start();
-    return;
-  }
-  auto* question = new QMessageBox(QMessageBox::Warning, tr("Replace the campaign?"), m_presenter.replaceQuestion(),
-                                   QMessageBox::Cancel, this);
-  question->setObjectName(QStringLiteral("replaceCampaign"));
-  question->setAttribute(Qt::WA_DeleteOnClose);
-  QPushButton* replace = question->addButton(tr("Replace"), QMessageBox::DestructiveRole);
-  question->setDefaultButton(QMessageBox::Cancel);
-  connect(replace, &QPushButton::clicked, &m_presenter, &FieldCapturePresenter::start);
-  question->open();
 }
 
 void FieldCaptureStep::showPlan() {
@@ -249,19 +192,7 @@ void FieldCaptureStep::showPhase() {
   const bool capturing = m_presenter.canStop();
   m_guide->setTitle(m_presenter.ofVerification() ? tr("Fresh campaign") : tr("Campaign"));
   m_plan->setEnabled(!capturing);
-  m_start->setVisible(!capturing && phase != CapturePhase::NoBench);
-  m_start->setEnabled(m_presenter.canStart());
-  m_start->setText(m_presenter.startReplacesData() ? tr("&Start over…") : tr("&Start"));
-  m_start->setDefault(phase == CapturePhase::Ready && !m_presenter.isComplete());
-  m_continue->setVisible(m_presenter.canContinueInterrupted());
-  m_continue->setDefault(m_presenter.canContinueInterrupted());
-  m_pause->setVisible(capturing && phase != CapturePhase::Unplugged);
-  m_pause->setText(m_presenter.canResume() ? tr("&Resume") : tr("&Pause"));
-  m_stop->setVisible(capturing);
-  m_connect->setVisible(phase == CapturePhase::NoBench);
-  m_next->setVisible(!m_presenter.nextStep().isEmpty());
-  m_next->setText(tr("Go on to %1").arg(m_presenter.nextStep()));
-  m_next->setDefault(m_presenter.isComplete());
+  m_buttons->showState(captureState(m_presenter, waits()));
   m_confirm->setVisible(phase == CapturePhase::Waiting);
   if (phase == CapturePhase::Waiting) {
     m_confirm->setDefault(true);
@@ -276,13 +207,9 @@ void FieldCaptureStep::showPhase() {
   emit availabilityChanged();
 }
 
-void FieldCaptureStep::showNotices() {
-  const bool comesBack = m_presenter.phase() == FieldCapturePresenter::Phase::Unplugged;
-  m_notices->setNotices(
-      m_presenter.problem().isEmpty()
-          ? QList<Notice>{}
-          : QList<Notice>{{comesBack ? Notice::Level::Warning : Notice::Level::Problem, m_presenter.problem()}});
-}
+bool FieldCaptureStep::waits() const { return m_presenter.phase() == FieldCapturePresenter::Phase::Unplugged; }
+
+void FieldCaptureStep::showNotices() { m_notices->setNotices(captureNotices(m_presenter.problem(), waits())); }
 
 void FieldCaptureStep::showGuide() {
   showText(*m_heading, m_presenter.heading());

@@ -11,6 +11,7 @@ class QPushButton;
 
 namespace straightedge::gui {
 
+class CaptureButtons;
 class FieldPlanForm;
 class NoticeList;
 class StageList;
@@ -43,7 +44,7 @@ private:
   void showPlots();
   void showMainPlot();
   void showTimePlot();
-  void start();
+  bool waits() const; ///< for an instrument that was unplugged
   void leaveOut(const QList<int>& stages, bool out);
 
   FieldCapturePresenter m_presenter;
@@ -57,12 +58,7 @@ private:
   QProgressBar* m_progress = nullptr;
   QLabel* m_progressText = nullptr;
   QLabel* m_rowsText = nullptr;
-  QPushButton* m_start = nullptr;
-  QPushButton* m_continue = nullptr;
-  QPushButton* m_pause = nullptr;
-  QPushButton* m_stop = nullptr;
-  QPushButton* m_connect = nullptr;
-  QPushButton* m_next = nullptr;
+  CaptureButtons* m_buttons = nullptr;
   FieldPlanForm* m_plan = nullptr;
   QLabel* m_planSummary = nullptr;
   StageList* m_stages = nullptr;

@@ -4,10 +4,8 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QSpinBox>
 
 #include <algorithm>
-#include <limits>
 
 namespace straightedge::gui {
 
@@ -34,14 +32,6 @@ bool hasPlanarHall(const devices::SimulatedFieldSettings& settings) {
                              [](const devices::HallAxis& axis) { return axis.planarHallPerT != 0.0; });
 }
 
-QComboBox* fieldBenchChoice(QWidget* parent, const QString& name) {
-  auto* box = new QComboBox(parent);
-  box->setObjectName(name);
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // the column decides
-  box->setMinimumContentsLength(12);
-  return box;
-}
-
 } // namespace
 
 SimulatedFieldForm::SimulatedFieldForm(QWidget* parent)
@@ -49,25 +39,20 @@ SimulatedFieldForm::SimulatedFieldForm(QWidget* parent)
       m_probeLag(fieldBenchNumber(this, QStringLiteral("probeLag"), 0.0, 3600.0, 1, tr(" s"))),
       m_lockThreshold(fieldBenchNumber(this, QStringLiteral("lockThreshold"), 0.0, 2000.0, 0, tr(" mT"))),
       m_room(fieldBenchNumber(this, QStringLiteral("roomTemperature"), 10.0, 40.0, 1, tr(" °C"))),
-      m_planarHall(new QCheckBox(tr("The probe has it"), this)),
-      m_placing(fieldBenchChoice(this, QStringLiteral("placing"))),
-      m_speed(fieldBenchChoice(this, QStringLiteral("speed"))), m_seed(new QSpinBox(this)) {
+      m_planarHall(new QCheckBox(tr("The probe has it"), this)), m_placing(new QComboBox(this)) {
   m_noise->setToolTip(tr("Standard deviation of one raw reading"));
   m_probeLag->setToolTip(tr("Of the probe behind the air of its chamber: the cause of hysteresis over temperature"));
   m_lockThreshold->setToolTip(tr("The simulated NMR does not lock on a smaller field"));
   m_planarHall->setObjectName(QStringLiteral("planarHall"));
   m_planarHall->setToolTip(tr("Two fields across an axis add to its reading. The correction has no block for it: what "
                               "it leaves is seen in Verify."));
+  m_placing->setObjectName(QStringLiteral("placing"));
+  m_placing->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // the column decides
+  m_placing->setMinimumContentsLength(12);
   m_placing->addItem(tr("By the bench"), false);
   m_placing->addItem(tr("By hand: the campaign waits"), true);
   m_placing->setToolTip(tr("By hand the campaign stops at every placement and says what is to be done, as on a bench "
                            "without a carrier"));
-  m_speed->addItem(tr("As fast as possible"), false);
-  m_speed->addItem(tr("Real time"), true);
-  m_speed->setToolTip(tr("In real time a whole campaign takes hours, as on a real bench"));
-  m_seed->setObjectName(QStringLiteral("seed"));
-  m_seed->setRange(0, std::numeric_limits<int>::max());
-  m_seed->setToolTip(tr("The same number repeats the same noise"));
 
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
@@ -78,8 +63,7 @@ SimulatedFieldForm::SimulatedFieldForm(QWidget* parent)
   form->addRow(tr("Room"), m_room);
   form->addRow(tr("Planar Hall effect"), m_planarHall);
   form->addRow(tr("Probe is placed"), m_placing);
-  form->addRow(tr("Speed"), m_speed);
-  form->addRow(tr("Random numbers"), m_seed);
+  m_simulation.emplace(*form, tr("In real time a whole campaign takes hours, as on a real bench"));
   setSettings({});
 }
 
@@ -91,8 +75,7 @@ void SimulatedFieldForm::setSettings(const devices::SimulatedFieldSettings& sett
   m_room->setValue(settings.roomC);
   m_planarHall->setChecked(hasPlanarHall(settings));
   m_placing->setCurrentIndex(m_placing->findData(settings.byHand));
-  m_speed->setCurrentIndex(m_speed->findData(settings.realTime));
-  m_seed->setValue(static_cast<int>(std::min<std::uint64_t>(settings.seed, std::numeric_limits<int>::max())));
+  m_simulation->set(settings.realTime, settings.seed);
 }
 
 devices::SimulatedFieldSettings SimulatedFieldForm::settings() const {
@@ -107,8 +90,8 @@ devices::SimulatedFieldSettings SimulatedFieldForm::settings() const {
     }
   }
   settings.byHand = m_placing->currentData().toBool();
-  settings.realTime = m_speed->currentData().toBool();
-  settings.seed = static_cast<std::uint64_t>(m_seed->value());
+  settings.realTime = m_simulation->realTime();
+  settings.seed = m_simulation->seed();
   return settings;
 }
 

@@ -1,14 +1,16 @@
 // Settings of the simulated field bench as a form.
 #pragma once
 
+#include "app/gui/steps/simulation_rows.h"
 #include "devices/simulated/simulated_field_bench.h"
 
 #include <QWidget>
 
+#include <optional>
+
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
-class QSpinBox;
 
 namespace straightedge::gui {
 
@@ -28,8 +30,7 @@ private:
   QDoubleSpinBox* m_room;
   QCheckBox* m_planarHall;
   QComboBox* m_placing;
-  QComboBox* m_speed;
-  QSpinBox* m_seed;
+  std::optional<SimulationRows> m_simulation; ///< the last rows
 };
 
 } // namespace straightedge::gui

@@ -45,8 +45,8 @@ void SceneLettering::writeBeside(const QPointF& point, const QPointF& awayFrom, 
   place = inside(place);
   const QRectF wished = place;
   for (int step = 1; !isFree(place) && step < 40; ++step) { // nearest free place above or below
-    const int tries = (step + 1) / 2;
-    const double shift = 4.0 * tries * (step % 2 == 1 ? 1.0 : -1.0);
+    const int steps = (step + 1) / 2;                       // 1 below, 1 above, 2 below, …
+    const double shift = 4.0 * steps * (step % 2 == 1 ? 1.0 : -1.0);
     place = inside(wished.translated(0.0, shift));
   }
   m_taken << place;

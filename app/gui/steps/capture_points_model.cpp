@@ -24,14 +24,6 @@ void CapturePointsModel::setPlan(const devices::AnglePlan& plan) {
   endResetModel();
 }
 
-void CapturePointsModel::clearReadings() {
-  std::ranges::fill(m_readings, Reading{});
-  m_lastMeasured.reset();
-  m_measured = 0;
-  m_firstChanged = 0;
-  m_lastChanged = static_cast<int>(m_readings.size()) - 1;
-}
-
 void CapturePointsModel::add(std::span<const session::AngleSample> samples,
                              const std::function<std::optional<double>(const session::AngleSample&)>& errorDeg) {
   for (const session::AngleSample& sample : samples) {

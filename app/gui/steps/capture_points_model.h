@@ -21,11 +21,11 @@ public:
   explicit CapturePointsModel(QObject* parent = nullptr);
 
   void setPlan(const devices::AnglePlan& plan); ///< forgets all readings
-  void clearReadings();
   /// Takes new samples in; the view hears of it by flush(), so that a frame costs one update.
   void add(std::span<const session::AngleSample> samples,
            const std::function<std::optional<double>(const session::AngleSample&)>& errorDeg);
   void flush();
+  const std::vector<devices::PlannedPoint>& planned() const { return m_planned; } ///< empty where the plan is none
   std::optional<int> lastMeasured() const { return m_lastMeasured; }
   int measuredPoints() const { return m_measured; }
   bool isMeasured(int planPoint) const;

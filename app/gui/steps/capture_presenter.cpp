@@ -140,7 +140,7 @@ QString CapturePresenter::turnByHand() const {
   if (m_bench.hasStage() || m_shownPlan.sampleRateHz > 0.0) { // a shaft that turns on is guided by the capture's note
     return {};
   }
-  const std::vector<devices::PlannedPoint> planned = devices::plannedPoints(m_shownPlan);
+  const std::vector<devices::PlannedPoint>& planned = m_points.planned(); // of m_shownPlan
   const auto done = static_cast<std::size_t>(std::max(0, m_bench.progress().pointsDone));
   if (done >= planned.size()) {
     return {};
@@ -229,6 +229,12 @@ void CapturePresenter::redo(int planPoint) {
   }
 }
 
+bool CapturePresenter::isComplete() const { return m_phase == Phase::Ready && m_points.measuredPoints() > 0; }
+
+QString CapturePresenter::nextStep() const {
+  return isComplete() || m_phase == Phase::Interrupted ? tr("Review") : QString();
+}
+
 double CapturePresenter::progressFraction() const {
   if (m_bench.isCapturing()) {
     const devices::CaptureProgress progress = m_bench.progress();
@@ -290,7 +296,7 @@ QString CapturePresenter::guidance() const {
   case Phase::Ready:
     break;
   }
-  if (m_points.measuredPoints() > 0) {
+  if (isComplete()) {
     return tr("The sweep is complete. Select a point to measure it again, or go on to Review.");
   }
   return tr("Choose the plan, then start.");

@@ -55,6 +55,9 @@ public:
   bool canRedo(std::optional<int> planPoint) const; ///< a point that was measured
   void redo(int planPoint);
 
+  bool isComplete() const;  ///< a sweep that was carried out to its end is shown
+  QString nextStep() const; ///< title of the step to go on with; empty where it is too early
+
   double progressFraction() const; ///< 0 to 1
   QString progressText() const;    ///< "12 of 64 points, 00:31 left"
   QString samplesText() const;     ///< "768 readings"; says how many the live display left out

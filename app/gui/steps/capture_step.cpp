@@ -1,18 +1,17 @@
 #include "app/gui/steps/capture_step.h"
 
 #include "app/gui/document/angle_document.h"
+#include "app/gui/steps/capture_column.h"
+#include "app/gui/steps/capture_wiring.h"
 #include "app/gui/steps/coverage_ring.h"
-#include "app/gui/steps/notice_list.h"
 #include "app/gui/steps/plan_form.h"
 
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSplitter>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -27,12 +26,6 @@ constexpr int framesPerRing = 4;
 constexpr int framesPerSensorPlot = 8;
 constexpr int framesPerTable = 6;
 
-QPushButton* button(QWidget* parent, const QString& text, const QString& name) {
-  auto* made = new QPushButton(text, parent);
-  made->setObjectName(name);
-  return made;
-}
-
 } // namespace
 
 CaptureStep::CaptureStep(StepContext context, QWidget* parent)
@@ -41,19 +34,8 @@ CaptureStep::CaptureStep(StepContext context, QWidget* parent)
   m_notices = new NoticeList(this);
   page->addWidget(m_notices);
 
-  auto* column = new QWidget;
-  auto* columnLayout = new QVBoxLayout(column);
-  columnLayout->setContentsMargins(0, 0, 0, 0);
-  columnLayout->setSpacing(12);
-  columnLayout->addWidget(makePlanBox());
-  columnLayout->addWidget(makeCourseBox());
-  columnLayout->addWidget(makeRingBox(), 1);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(column);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFixedWidth(fontMetrics().averageCharWidth() * 52);
+  QWidget* plan = makePlanBox();
+  auto* column = new CaptureColumn({plan, makeCourseBox(), makeRingBox()}, *plan, CaptureColumn::Rest::ToLastBox, this);
 
   m_errorPlot = new PlotView(this);
   m_errorPlot->setObjectName(QStringLiteral("liveErrorPlot"));
@@ -72,7 +54,7 @@ CaptureStep::CaptureStep(StepContext context, QWidget* parent)
 
   auto* columns = new QHBoxLayout;
   columns->setSpacing(16);
-  columns->addWidget(scroll);
+  columns->addWidget(column);
   columns->addWidget(plots, 1);
   page->addLayout(columns, 1);
   connectPresenter();
@@ -123,23 +105,12 @@ QWidget* CaptureStep::makeCourseBox() {
   m_progressText->setObjectName(QStringLiteral("captureProgressText"));
   m_samplesText = new QLabel(box);
   m_samplesText->setObjectName(QStringLiteral("captureSamples"));
-  m_start = button(box, tr("&Start"), QStringLiteral("startCapture"));
-  m_continue = button(box, tr("&Go on"), QStringLiteral("continueCapture"));
-  m_pause = button(box, tr("&Pause"), QStringLiteral("pauseCapture"));
-  m_stop = button(box, tr("S&top"), QStringLiteral("stopCapture"));
-  m_connect = button(box, tr("Go to Connect"), QStringLiteral("goToConnect"));
-  m_next = button(box, tr("Go on to Review"), QStringLiteral("goToReview"));
+  m_buttons = new CaptureButtons(box);
   layout->addWidget(m_guidance);
   layout->addWidget(m_progress);
   layout->addWidget(m_progressText);
   layout->addWidget(m_samplesText);
-  auto* buttons = new QHBoxLayout;
-  for (QPushButton* each : {m_continue, m_start, m_pause, m_stop, m_connect}) {
-    buttons->addWidget(each);
-  }
-  buttons->addStretch(1);
-  buttons->addWidget(m_next);
-  layout->addLayout(buttons);
+  layout->addWidget(m_buttons);
   return box;
 }
 
@@ -178,7 +149,8 @@ QWidget* CaptureStep::makePointsBox() {
                                            {CapturePointsModel::Error, 11}}) {
     m_table->setColumnWidth(column, character * characters);
   }
-  m_redo = button(box, tr("&Measure this point again"), QStringLiteral("redoPoint"));
+  m_redo = new QPushButton(tr("&Measure this point again"), box);
+  m_redo->setObjectName(QStringLiteral("redoPoint"));
   m_redo->setToolTip(tr("Select a point in the table or click it in a plot"));
   auto* row = new QHBoxLayout;
   row->addStretch(1);
@@ -199,18 +171,8 @@ void CaptureStep::connectPresenter() {
   connect(&m_presenter, &CapturePresenter::progressChanged, this, &CaptureStep::showFrame);
   connect(&m_presenter, &CapturePresenter::samplesArrived, this, &CaptureStep::takeSamples);
   connect(m_plan, &PlanForm::planEdited, this, [this] { m_presenter.setPlan(m_plan->plan()); });
-  connect(m_start, &QPushButton::clicked, this, &CaptureStep::start);
-  connect(m_continue, &QPushButton::clicked, &m_presenter, &CapturePresenter::continueInterrupted);
-  connect(m_pause, &QPushButton::clicked, this, [this] {
-    if (m_presenter.canResume()) {
-      m_presenter.resume();
-    } else {
-      m_presenter.pause();
-    }
-  });
-  connect(m_stop, &QPushButton::clicked, &m_presenter, &CapturePresenter::stop);
-  connect(m_connect, &QPushButton::clicked, this, [this] { emit goToStep(tr("Connect")); });
-  connect(m_next, &QPushButton::clicked, this, [this] { emit goToStep(tr("Review")); });
+  wireCaptureButtons(*this, m_presenter, *m_buttons,
+                     {.title = tr("Replace the sweep?"), .objectName = QStringLiteral("replaceSweep")});
   connect(m_redo, &QPushButton::clicked, this, [this] {
     if (const std::optional<int> point = selectedPoint()) {
       m_presenter.redo(*point);
@@ -224,21 +186,6 @@ void CaptureStep::connectPresenter() {
       }
     });
   }
-}
-
-void CaptureStep::start() {
-  if (!m_presenter.startReplacesData()) {
-    m_presenter.start();
-    return;
-  }
-  auto* question = new QMessageBox(QMessageBox::Warning, tr("Replace the sweep?"), m_presenter.replaceQuestion(),
-                                   QMessageBox::Cancel, this);
-  question->setObjectName(QStringLiteral("replaceSweep"));
-  question->setAttribute(Qt::WA_DeleteOnClose);
-  QPushButton* replace = question->addButton(tr("Replace"), QMessageBox::DestructiveRole);
-  question->setDefaultButton(QMessageBox::Cancel);
-  connect(replace, &QPushButton::clicked, &m_presenter, &CapturePresenter::start);
-  question->open();
 }
 
 void CaptureStep::selectPlanPoint(int planPoint) {
@@ -264,23 +211,9 @@ void CaptureStep::showColumns() {
 }
 
 void CaptureStep::showPhase() {
-  using Phase = CapturePresenter::Phase;
-  const Phase phase = m_presenter.phase();
   const bool capturing = m_presenter.canStop();
-  const bool complete = phase == Phase::Ready && m_presenter.points().measuredPoints() > 0;
   m_plan->setEnabled(!capturing);
-  m_start->setVisible(!capturing && phase != Phase::NoBench);
-  m_start->setEnabled(m_presenter.canStart());
-  m_start->setText(m_presenter.startReplacesData() ? tr("&Start over…") : tr("&Start"));
-  m_start->setDefault(phase == Phase::Ready && !complete);
-  m_continue->setVisible(m_presenter.canContinueInterrupted());
-  m_continue->setDefault(true);
-  m_pause->setVisible(capturing && phase != Phase::Waiting);
-  m_pause->setText(m_presenter.canResume() ? tr("&Resume") : tr("&Pause"));
-  m_stop->setVisible(capturing);
-  m_connect->setVisible(phase == Phase::NoBench);
-  m_next->setVisible(complete || phase == Phase::Interrupted);
-  m_next->setDefault(complete);
+  m_buttons->showState(captureState(m_presenter, waits()));
   m_guidance->setText(m_presenter.guidance());
   m_guidance->setVisible(!m_presenter.guidance().isEmpty());
   showNotices();
@@ -291,12 +224,9 @@ void CaptureStep::showPhase() {
   emit availabilityChanged();
 }
 
-void CaptureStep::showNotices() {
-  const bool waits = m_presenter.phase() == CapturePresenter::Phase::Waiting;
-  const Notice::Level level = waits ? Notice::Level::Warning : Notice::Level::Problem;
-  m_notices->setNotices(m_presenter.problem().isEmpty() ? QList<Notice>{}
-                                                        : QList<Notice>{{level, m_presenter.problem()}});
-}
+bool CaptureStep::waits() const { return m_presenter.phase() == CapturePresenter::Phase::Waiting; }
+
+void CaptureStep::showNotices() { m_notices->setNotices(captureNotices(m_presenter.problem(), waits())); }
 
 void CaptureStep::showProgress() {
   showColumns();

@@ -11,6 +11,7 @@ class QTableView;
 
 namespace straightedge::gui {
 
+class CaptureButtons;
 class CoverageRing;
 class NoticeList;
 class PlanForm;
@@ -41,7 +42,7 @@ private:
   void takeSamples(int first);
   void showFrame(); ///< once per frame while samples arrive; what may lag is shown less often
   void showAllPlots();
-  void start();
+  bool waits() const; ///< for an instrument that was unplugged
   void selectPlanPoint(int planPoint);
   std::optional<int> selectedPoint() const;
 
@@ -50,13 +51,8 @@ private:
   PlanForm* m_plan = nullptr;
   QLabel* m_planSummary = nullptr;
   QLabel* m_guidance = nullptr;
-  QPushButton* m_start = nullptr;
-  QPushButton* m_continue = nullptr;
-  QPushButton* m_pause = nullptr;
-  QPushButton* m_stop = nullptr;
+  CaptureButtons* m_buttons = nullptr;
   QPushButton* m_redo = nullptr;
-  QPushButton* m_connect = nullptr;
-  QPushButton* m_next = nullptr;
   QProgressBar* m_progress = nullptr;
   QLabel* m_progressText = nullptr;
   QLabel* m_samplesText = nullptr;

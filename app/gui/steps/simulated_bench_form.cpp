@@ -6,9 +6,6 @@
 #include <QFormLayout>
 #include <QSpinBox>
 
-#include <algorithm>
-#include <limits>
-
 namespace straightedge::gui {
 
 namespace {
@@ -36,8 +33,7 @@ SimulatedBenchForm::SimulatedBenchForm(QWidget* parent)
       m_mounting(degreeBox(this, QStringLiteral("mountingAngle"), -360.0, 360.0, 2, 5.0)),
       m_noise(degreeBox(this, QStringLiteral("noise"), 0.0, 10.0, 4, 0.01)),
       m_hysteresis(degreeBox(this, QStringLiteral("hysteresis"), 0.0, 10.0, 4, 0.01)), m_bits(new QSpinBox(this)),
-      m_decreasing(new QCheckBox(tr("Counts backwards"), this)), m_speed(choice(this, QStringLiteral("speed"))),
-      m_seed(new QSpinBox(this)) {
+      m_decreasing(new QCheckBox(tr("Counts backwards"), this)) {
   m_geometry->addItem(tr("Beside the shaft"), static_cast<int>(devices::FieldGeometry::SideShaft));
   m_geometry->addItem(tr("End of the shaft"), static_cast<int>(devices::FieldGeometry::OnAxis));
   m_geometry->setToolTip(tr("Beside the shaft the field is elliptic: errors above 10°, mostly the second harmonic.\n"
@@ -51,11 +47,6 @@ SimulatedBenchForm::SimulatedBenchForm(QWidget* parent)
   m_bits->setSpecialValueText(tr("not quantised"));
   m_decreasing->setObjectName(QStringLiteral("decreasing"));
   m_decreasing->setToolTip(tr("The sensor is mounted upside down: its angle falls while the encoder's rises"));
-  m_speed->addItem(tr("Real time"), true);
-  m_speed->addItem(tr("As fast as possible"), false);
-  m_seed->setObjectName(QStringLiteral("seed"));
-  m_seed->setRange(0, std::numeric_limits<int>::max());
-  m_seed->setToolTip(tr("The same number repeats the same noise"));
 
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
@@ -66,8 +57,7 @@ SimulatedBenchForm::SimulatedBenchForm(QWidget* parent)
   form->addRow(tr("Hysteresis"), m_hysteresis);
   form->addRow(tr("Resolution"), m_bits);
   form->addRow(tr("Direction"), m_decreasing);
-  form->addRow(tr("Speed"), m_speed);
-  form->addRow(tr("Random numbers"), m_seed);
+  m_simulation.emplace(*form, tr("In real time a sweep takes as long as on a real bench"));
   setSettings({});
 }
 
@@ -79,8 +69,7 @@ void SimulatedBenchForm::setSettings(const devices::SimulatedAngleSettings& sett
   m_hysteresis->setValue(settings.hysteresisDeg);
   m_bits->setValue(settings.sensorBits);
   m_decreasing->setChecked(settings.decreasing);
-  m_speed->setCurrentIndex(m_speed->findData(settings.realTime));
-  m_seed->setValue(static_cast<int>(std::min<std::uint64_t>(settings.seed, std::numeric_limits<int>::max())));
+  m_simulation->set(settings.realTime, settings.seed);
 }
 
 devices::SimulatedAngleSettings SimulatedBenchForm::settings() const {
@@ -91,8 +80,8 @@ devices::SimulatedAngleSettings SimulatedBenchForm::settings() const {
   settings.hysteresisDeg = m_hysteresis->value();
   settings.sensorBits = m_bits->value();
   settings.decreasing = m_decreasing->isChecked();
-  settings.realTime = m_speed->currentData().toBool();
-  settings.seed = static_cast<std::uint64_t>(m_seed->value());
+  settings.realTime = m_simulation->realTime();
+  settings.seed = m_simulation->seed();
   return settings;
 }
 

@@ -1,9 +1,12 @@
 // Settings of the simulated bench as a form.
 #pragma once
 
+#include "app/gui/steps/simulation_rows.h"
 #include "devices/simulated/simulated_angle_bench.h"
 
 #include <QWidget>
+
+#include <optional>
 
 class QCheckBox;
 class QComboBox;
@@ -28,8 +31,7 @@ private:
   QDoubleSpinBox* m_hysteresis;
   QSpinBox* m_bits;
   QCheckBox* m_decreasing;
-  QComboBox* m_speed;
-  QSpinBox* m_seed;
+  std::optional<SimulationRows> m_simulation; ///< the last rows
 };
 
 } // namespace straightedge::gui

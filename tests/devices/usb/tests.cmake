@@ -1,7 +1,7 @@
 include(fakes/usb/fakes.cmake)
 
 straightedge_add_usb_test(NAME devices_usb
-  SOURCES devices/usb/usb_bus_test.cpp devices/usb/usb_child_test.cpp devices/usb/usb_serial_test.cpp
+  SOURCES devices/usb/access_remedy_test.cpp devices/usb/usb_bus_test.cpp devices/usb/usb_child_test.cpp devices/usb/usb_serial_test.cpp
     devices/usb/usbtmc_dialogue_test.cpp devices/usb/usbtmc_fault_test.cpp
   LIBRARIES straightedge::devices
   LABELS devices)

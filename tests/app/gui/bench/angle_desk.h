@@ -21,6 +21,8 @@ inline constexpr int deskCountsPerTurn = 3600;
 struct DeskShaft {
   std::atomic<double> angleDeg = 0.0;
   std::atomic<int> leavesAfter = -1; ///< answers of the encoder reader until it is unplugged inside one; -1: never
+  std::atomic<int> asked = 0;        ///< times that the encoder reader was asked for its count
+  std::atomic<int> printed = 0;      ///< lines that the board gave to the host
 };
 
 /// The sensor's angle with an error that a calibration finds again.
@@ -36,6 +38,7 @@ inline std::shared_ptr<FtdiDevice> deskEncoder(DeskShaft& shaft) {
     if (line == "R14") {
       data = 0x12345009;
     } else if (line == "R0E") {
+      ++shaft.asked;
       if (shaft.leavesAfter >= 0 && shaft.leavesAfter-- == 0) {
         raw->unplugAfter(4);
       }
@@ -57,6 +60,7 @@ inline std::shared_ptr<CdcAcmDevice> deskBoard(DeskShaft& shaft) {
       return {};
     }
     next = now + std::chrono::milliseconds(2);
+    ++shaft.printed;
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.4f\r\n", deskSensorDeg(shaft.angleDeg));
     return text.data();

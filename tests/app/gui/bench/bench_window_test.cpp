@@ -264,7 +264,7 @@ void BenchWindowTest::aSweepGoesOnAfterAReplug() {
   for (std::size_t i = 0; i < points; ++i) {
     QCOMPARE(desk.window.document().sweep().encoderDeg[i], planned[i].encoderDeg);
   }
-  QVERIFY(desk.driver.isShown(QStringLiteral("goToReview")));
+  QVERIFY(desk.driver.isShown(QStringLiteral("goOn")));
   disconnect(&link, nullptr, this, nullptr);
 }
 

@@ -12,3 +12,13 @@ straightedge_add_qt_test(NAME gui_bench
   LABELS "gui;threads")
 set_tests_properties(gui_bench PROPERTIES
   ENVIRONMENT "${STRAIGHTEDGE_QT_TEST_ENVIRONMENT};LD_PRELOAD=${STRAIGHTEDGE_USB_PRELOAD}")
+
+# The program itself as a child process, by keyboard on a private X server (exit code 77: no Xvfb or no xdotool here,
+# skipped).
+straightedge_add_qt_test(NAME gui_bench_program
+  SOURCES app/gui/bench/bench_program_test.cpp
+  LIBRARIES straightedge::devices straightedge::core emulated_usb
+  LABELS gui-xvfb)
+add_dependencies(gui_bench_program straightedge)
+set_tests_properties(gui_bench_program PROPERTIES
+  ENVIRONMENT "LD_PRELOAD=${STRAIGHTEDGE_USB_PRELOAD}" SKIP_RETURN_CODE 77)

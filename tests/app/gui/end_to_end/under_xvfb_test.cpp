@@ -1,12 +1,13 @@
 // The installed program on a private X server: it opens on its simulated bench and paints. Ends with 77 (skipped) where
 // there is no Xvfb.
+#include "tests/app/gui/end_to_end/private_display.h"
+
 #include <QApplication>
 #include <QImage>
 #include <QPixmap>
 #include <QProcess>
 #include <QScreen>
 #include <QSet>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -42,6 +43,7 @@ void UnderXvfbTest::opensOnTheSimulatedBench() {
   QVERIFY(before < 10); // an empty X server
   QProcess program;
   program.setProcessChannelMode(QProcess::ForwardedChannels);
+  straightedge::testing::PrivateDisplay::bindToTest(program);
   program.start(QStringLiteral(STRAIGHTEDGE_BINARY_DIR "/straightedge"), {QStringLiteral("--simulated")});
   QVERIFY(program.waitForStarted(waitMs));
   QTRY_VERIFY_WITH_TIMEOUT(program.state() != QProcess::Running || coloursOf(rootPicture()) > 50, waitMs);
@@ -55,35 +57,23 @@ void UnderXvfbTest::opensOnTheSimulatedBench() {
 }
 
 int main(int argc, char** argv) {
-  const QString xvfb = QStandardPaths::findExecutable(QStringLiteral("Xvfb"));
-  if (xvfb.isEmpty()) {
+  if (straightedge::testing::PrivateDisplay::program().isEmpty()) {
     std::puts("SKIPPED: Xvfb is not installed");
     return skipped;
   }
   QTemporaryDir home;
   qputenv("XDG_DATA_HOME", home.path().toUtf8());
   qputenv("XDG_CONFIG_HOME", home.path().toUtf8());
-  QProcess server;
-  // -noreset: without it the server begins anew when its last client leaves, and the next one may fail to connect.
-  server.start(xvfb, {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"), QStringLiteral("0"),
-                      QStringLiteral("1400x900x24"), QStringLiteral("-noreset"), QStringLiteral("-nolisten"),
-                      QStringLiteral("tcp")});
-  if (!server.waitForReadyRead(waitMs)) {
+  straightedge::testing::PrivateDisplay display;
+  if (!display.start()) {
     std::puts("Xvfb does not start");
     return 1;
   }
-  const QByteArray display = ":" + server.readAllStandardOutput().trimmed();
-  qputenv("DISPLAY", display);
+  qputenv("DISPLAY", display.name());
   qputenv("QT_QPA_PLATFORM", "xcb");
-  int failed = 0;
-  {
-    QApplication application(argc, argv);
-    UnderXvfbTest test;
-    failed = QTest::qExec(&test, argc, argv);
-  }
-  server.terminate();
-  server.waitForFinished(waitMs);
-  return failed;
+  QApplication application(argc, argv);
+  UnderXvfbTest test;
+  return QTest::qExec(&test, argc, argv);
 }
 
 #include "under_xvfb_test.moc"

@@ -114,7 +114,7 @@ void WholeWayTest::capture() {
   QVERIFY(ended.count() > 0 || ended.wait(waitMs));
   QCOMPARE(m_window->document().sweep().size(), std::size_t{96 * 4 * 2});
   QTRY_VERIFY_WITH_TIMEOUT(m_window->document().run() != nullptr, waitMs);
-  m_driver->click(QStringLiteral("goToReview"));
+  m_driver->click(QStringLiteral("goOn"));
 }
 
 void WholeWayTest::review() {

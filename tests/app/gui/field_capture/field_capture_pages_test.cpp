@@ -119,7 +119,8 @@ void FieldCapturePagesTest::captureRunsFromItsButton() {
   ShownField shown(makeFieldCaptureStep);
   QVERIFY(shown.find<QPushButton>("goToConnect").isVisible());
   QVERIFY(!shown.page->missing().isEmpty());
-  QVERIFY(shown.open.connectFast());
+  auto held = std::make_shared<FailingFieldBench>(1'000'000);
+  QVERIFY(shown.open.bench.connectBench(held->bench(), held).has_value());
   QVERIFY(shown.page->missing().isEmpty());
   shown.open.document.setPlan(smallCampaign());
   auto& stages = shown.find<QTreeWidget>("captureStages");
@@ -127,10 +128,12 @@ void FieldCapturePagesTest::captureRunsFromItsButton() {
   QCOMPARE(stateIn(stages, 0), QStringLiteral("to do"));
   QVERIFY(stages.topLevelItem(0)->text(4).startsWith(QStringLiteral("Plateaus over the whole range")));
   QSignalSpy ended(&shown.open.bench, &FieldBenchLink::captureEnded);
+  held->hold(); // however slow this thread is, the campaign is not over before it is paused
   shown.click("startCapture");
   QVERIFY(shown.open.bench.isCapturing());
   QVERIFY(shown.find<QPushButton>("pauseCapture").isVisible());
   shown.click("pauseCapture");
+  held->letGo();
   QTRY_COMPARE(shown.find<QPushButton>("pauseCapture").text(), QStringLiteral("&Resume"));
   shown.click("pauseCapture");
   QVERIFY(ended.wait(captureWaitMs));

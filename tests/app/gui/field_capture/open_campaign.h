@@ -53,12 +53,19 @@ public:
     return bench;
   }
   void mend() { m_probe.left = 1'000'000'000; }
+  /// From now on a reading waits until letGo(): what happens in the middle of a campaign is not left to speed.
+  void hold() { m_probe.held = true; }
+  void letGo() {
+    m_probe.held = false;
+    m_probe.held.notify_all();
+  }
 
 private:
   struct Probe : devices::FieldProbe {
     explicit Probe(devices::FieldProbe& behind) : probe(behind) {}
     devices::InstrumentIdentity identity() const override { return probe.identity(); }
     Result<devices::FieldReading> readT() override {
+      held.wait(true);
       if (left.fetch_sub(1) <= 0) {
         left = 0;
         return fail(ErrorKind::Instrument, "the teslameter was switched off", "switch it on, then resume",
@@ -68,6 +75,7 @@ private:
     }
     devices::FieldProbe& probe;
     std::atomic<int> left = 0;
+    std::atomic<bool> held = false;
   };
 
   devices::SimulatedFieldBench m_simulated;

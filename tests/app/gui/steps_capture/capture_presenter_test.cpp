@@ -64,7 +64,7 @@ void CapturePresenterTest::runsToTheEnd() {
   presenter.start();
   QCOMPARE(presenter.phase(), Phase::Running);
   QVERIFY(presenter.canPause() && presenter.canStop() && !presenter.canStart());
-  QVERIFY(ended.wait(20000));
+  QVERIFY(ended.wait(60000));
   QCOMPARE(presenter.phase(), Phase::Ready);
   QCOMPARE(presenter.points().measuredPoints(), 64);
   QCOMPARE(presenter.progressFraction(), 1.0);
@@ -131,7 +131,7 @@ void CapturePresenterTest::redoesMeasuredPointsOnly() {
   QVERIFY(!presenter.canRedo(std::nullopt));
   QSignalSpy ended(&open.bench, &BenchLink::captureEnded);
   presenter.redo(3);
-  QVERIFY(ended.wait(20000));
+  QVERIFY(ended.wait(60000));
   QCOMPARE(presenter.points().data(presenter.points().index(3, CapturePointsModel::State), Qt::DisplayRole).toString(),
            QStringLiteral("1 reading, measured again"));
   QCOMPARE(presenter.trace().errorPlot().series[0].x.size(), 16); // the first attempt is not drawn any more
@@ -152,7 +152,7 @@ void CapturePresenterTest::faultIsAPhaseOfItsOwn() {
   failing->mend();
   presenter.resume();
   QVERIFY(presenter.problem().isEmpty());
-  QVERIFY(ended.wait(20000));
+  QVERIFY(ended.wait(60000));
   QCOMPARE(presenter.points().measuredPoints(), 32);
 }
 
