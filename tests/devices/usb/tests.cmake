@@ -6,7 +6,7 @@ straightedge_add_usb_test(NAME devices_usb
   LIBRARIES straightedge::devices
   LABELS devices)
 straightedge_join_tests(devices_usb
-  devices/usb/usb_bus_test.cpp devices/usb/usb_serial_test.cpp)
+  devices/usb/access_remedy_test.cpp devices/usb/usb_bus_test.cpp devices/usb/usb_serial_test.cpp)
 add_executable(usb_child devices/usb/usb_child.cpp)
 target_link_libraries(usb_child PRIVATE straightedge::devices)
 add_dependencies(devices_usb usb_child)
