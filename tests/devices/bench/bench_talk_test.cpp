@@ -2,6 +2,7 @@
 #include "devices/bench/opened_bench.h"
 #include "tests/fakes/usb/byte_stream_devices.h"
 #include "tests/fakes/usb/emulated_usb.h"
+#include "tests/fakes/usb/thm1176.h"
 #include "tests/fakes/usb/usbtmc_device.h"
 
 #include <gmock/gmock.h>
@@ -24,15 +25,7 @@ devices::BenchInstrument instrument(const std::string& id, InstrumentRole role, 
 
 std::shared_ptr<UsbTmcDevice> talkingTeslameter() {
   auto device = std::make_shared<UsbTmcDevice>();
-  device->onMessage([](const std::string& message) -> std::optional<std::string> {
-    if (message == "*IDN?") {
-      return "Metrolab Technology SA,THM1176-MF,0123456,el-A1-K1";
-    }
-    if (message == ":SYST:ERR?") {
-      return R"(0,"No error")";
-    }
-    return message.starts_with(":FETC") ? std::optional("0.25 T;-0.5 T;1 T;0x0;100;0") : std::nullopt;
-  });
+  device->onMessage(thm1176Answers());
   return device;
 }
 

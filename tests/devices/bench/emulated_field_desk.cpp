@@ -1,5 +1,7 @@
 #include "tests/devices/bench/emulated_field_desk.h"
 
+#include "tests/fakes/usb/thm1176.h"
+
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -50,22 +52,12 @@ std::string EmulatedFieldDesk::teslameterReply() {
 
 std::shared_ptr<UsbTmcDevice> EmulatedFieldDesk::teslameter(int leavesAt) {
   auto device = std::make_shared<UsbTmcDevice>(UsbTmcDevice::Options{.packet = 64}); // a reply is more than one packet
-  device->onMessage([this, leavesAt, asked = 0,
-                     raw = device.get()](const std::string& message) mutable -> std::optional<std::string> {
-    if (message == "*IDN?") {
-      return "Metrolab Technology SA,THM1176-MF,0123456,el-A1-K1";
-    }
-    if (message == ":SYST:ERR?") {
-      return R"(0,"No error")";
-    }
-    if (!message.starts_with(":FETC")) {
-      return std::nullopt;
-    }
+  device->onMessage(thm1176Answers([this, leavesAt, asked = 0, raw = device.get()]() mutable {
     if (++asked == leavesAt) {
       raw->fault(UsbTmcFault::UnplugMidReply);
     }
     return teslameterReply();
-  });
+  }));
   return device;
 }
 

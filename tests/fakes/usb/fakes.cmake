@@ -27,14 +27,7 @@ endif()
 
 # straightedge_add_usb_test(NAME … SOURCES … LIBRARIES … LABELS …): as straightedge_add_test(), with the emulated bus.
 function(straightedge_add_usb_test)
-  cmake_parse_arguments(ARG "" "NAME" "SOURCES;LIBRARIES;LABELS" ${ARGN})
-  add_executable(${ARG_NAME} ${ARG_SOURCES})
-  target_link_libraries(${ARG_NAME} PRIVATE straightedge::build_flags emulated_usb GTest::gmock GTest::gtest_main ${ARG_LIBRARIES})
-  target_compile_options(${ARG_NAME} PRIVATE ${STRAIGHTEDGE_TEST_OPTIONS})
-  straightedge_precompile_test(${ARG_NAME} test_headers)
-  target_compile_definitions(${ARG_NAME} PRIVATE
-    STRAIGHTEDGE_TEST_DATA="${CMAKE_CURRENT_SOURCE_DIR}/data"
-    STRAIGHTEDGE_BINARY_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
-  gtest_discover_tests(${ARG_NAME} TEST_PREFIX "${ARG_NAME}." DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${STRAIGHTEDGE_TEST_LIMIT_S} ENVIRONMENT "LD_PRELOAD=${STRAIGHTEDGE_USB_PRELOAD}")
+  cmake_parse_arguments(ARG "" "" "LIBRARIES" ${ARGN})
+  straightedge_add_test(${ARG_UNPARSED_ARGUMENTS} LIBRARIES emulated_usb ${ARG_LIBRARIES}
+    ENVIRONMENT "LD_PRELOAD=${STRAIGHTEDGE_USB_PRELOAD}")
 endfunction()

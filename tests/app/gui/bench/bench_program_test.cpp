@@ -8,6 +8,7 @@
 #include "tests/app/gui/bench/angle_desk.h"
 #include "tests/app/gui/end_to_end/private_display.h"
 #include "tests/app/gui/end_to_end/typed_window.h"
+#include "tests/fakes/usb/thm1176.h"
 #include "tests/fakes/usb/usbtmc_device.h"
 
 #include <QCoreApplication>
@@ -188,19 +189,10 @@ void BenchProgramTest::aFieldBenchIsConnectedAndRead() {
   fakes::EmulatedUsb bus;
   std::atomic<int> fetched = 0;
   auto meter = std::make_shared<fakes::UsbTmcDevice>();
-  meter->onMessage([&fetched](const std::string& message) -> std::optional<std::string> {
-    if (message == "*IDN?") {
-      return "Metrolab Technology SA,THM1176-MF,0123456,el-A1-K1";
-    }
-    if (message == ":SYST:ERR?") {
-      return R"(0,"No error")";
-    }
-    if (!message.starts_with(":FETC")) {
-      return std::nullopt;
-    }
+  meter->onMessage(fakes::thm1176Answers([&fetched] {
     ++fetched;
-    return "0.25 T;-0.5 T;1 T;0x0;100;0";
-  });
+    return std::string(fakes::thm1176Reading);
+  }));
   auto plug = bus.plug(meter, {.driver = "usbtmc"});
   testing::TypedWindow program;
   QVERIFY2(program.start({}), qPrintable(program.error()));

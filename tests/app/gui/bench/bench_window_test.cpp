@@ -14,6 +14,7 @@
 #include "tests/app/gui/bench/test_classes.h"
 #include "tests/app/gui/end_to_end/quiet_prompts.h"
 #include "tests/app/gui/end_to_end/window_driver.h"
+#include "tests/fakes/usb/thm1176.h"
 #include "tests/fakes/usb/usbtmc_device.h"
 
 #include <QApplication>
@@ -289,15 +290,7 @@ void BenchWindowTest::aFieldBenchIsReadInItsOwnPage() {
   desk.window.newFieldCalibration(); // begins at Connect
   desk.find<QTabWidget>("benches").setCurrentIndex(1);
   auto meter = std::make_shared<fakes::UsbTmcDevice>();
-  meter->onMessage([](const std::string& message) -> std::optional<std::string> {
-    if (message == "*IDN?") {
-      return "Metrolab Technology SA,THM1176-MF,0123456,el-A1-K1";
-    }
-    if (message == ":SYST:ERR?") {
-      return R"(0,"No error")";
-    }
-    return message.starts_with(":FETC") ? std::optional("0.25 T;-0.5 T;1 T;0x0;100;0") : std::nullopt;
-  });
+  meter->onMessage(fakes::thm1176Answers());
   const auto plug = desk.bus.plug(meter);
   auto& choice = desk.find<QComboBox>("device-field-probe");
   QTRY_VERIFY(choice.findText(QStringLiteral("0123456"), Qt::MatchContains) > 0);

@@ -21,4 +21,5 @@ straightedge_add_qt_test(NAME gui_bench_program
   LABELS gui-xvfb)
 add_dependencies(gui_bench_program straightedge)
 set_tests_properties(gui_bench_program PROPERTIES
-  ENVIRONMENT "LD_PRELOAD=${STRAIGHTEDGE_USB_PRELOAD}" SKIP_RETURN_CODE 77)
+  ENVIRONMENT "QTEST_FUNCTION_TIMEOUT=${STRAIGHTEDGE_TEST_LIMIT_S}000;LD_PRELOAD=${STRAIGHTEDGE_USB_PRELOAD}"
+  SKIP_RETURN_CODE 77)
