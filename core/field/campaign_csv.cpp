@@ -129,7 +129,7 @@ Result<Campaign> readCampaignCsv(const std::string& path) {
   if (!bytes) {
     return std::unexpected(std::move(bytes.error()));
   }
-  return parseCampaignCsv(std::move(*bytes), inputName(path), inputFileName(path));
+  return parseWhole(std::move(*bytes), inputName(path), inputFileName(path));
 }
 
 Result<Campaign> parseCampaignCsv(std::string bytes, const std::string& name, const std::string& fileName) {

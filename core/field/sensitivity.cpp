@@ -17,7 +17,6 @@ using numerics::PolynomialFit;
 
 namespace {
 
-constexpr int ordinaryOrder = 3;
 constexpr int interceptOrder = 1;
 
 /// Variances of the sweeps' values; enlarged (Birge) where the values scatter about the polynomial more than their own
@@ -101,8 +100,8 @@ Result<SensitivityReport> fitSensitivity(const StepRows& rows, const CorrectionC
   SensitivityReport report;
   report.axis = axis;
   const int fields = distinctFields(*sweeps);
-  const int order = fields > ordinaryOrder ? ordinaryOrder : 1;
-  if (order < ordinaryOrder) {
+  const int order = fields > highestSlopeOrder ? highestSlopeOrder : 1;
+  if (order < highestSlopeOrder) {
     report.note = "Axis " + std::string(axisName(axis)) + ": only " + std::to_string(fields) +
                   " fields in the step sensitivity: its slope over the field is a line instead of a cubic.";
   }

@@ -21,6 +21,8 @@
 
 namespace straightedge::field {
 
+inline constexpr int highestSlopeOrder = 3; ///< of the slope over the field: a cubic
+
 /// Temperature swept at one field: error = intercept + slope·temperature.
 struct FieldSweep {
   double referenceT = 0.0; ///< mean

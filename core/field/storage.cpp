@@ -3,6 +3,7 @@
 #include "core/field/chain_stages.h"
 #include "core/field/closest_fit.h"
 #include "core/field/names.h"
+#include "core/field/sensitivity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,6 @@
 namespace straightedge::field {
 
 namespace {
-
-constexpr int highestSlopeOrder = 3;
 
 template <typename Coefficients>
 std::size_t countOf(const Coefficients& coefficients) {
